@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <string_view>
+
+#include "math/types.h"
+#include "model/state.h"
+
+namespace slipstitch {
+
+/// Constant during one step.
+struct StepContext {
+  double h = 0.0;      // step [s]
+  const State& start;  // state at the beginning of the step
+};
+
+/// One effect: a pool of stencils, each a smooth function of kSize full coordinates. A pool whose effect is off is
+/// empty. Energies in J; rate-dependent effects give the incremental potential of the step, so that minus its
+/// gradient is the force at the end of the step.
+template <class T>
+concept ForceTerm = requires(T& term, const T& cterm, int k, const StepContext& step, const Vec<T::kSize>& q,
+                             Vec<T::kSize>* g, Mat<T::kSize>* hess) {
+  { T::kName } -> std::convertible_to<std::string_view>;
+  { cterm.size() } -> std::same_as<int>;
+  { cterm.coords(k) } -> std::convertible_to<std::array<int, T::kSize>>;  // full coordinates of stencil k
+  { cterm.eval(k, q, g, hess) } -> std::same_as<double>;  // energy; exact gradient and Hessian where non-null
+  { term.begin_step(step) } -> std::same_as<void>;        // lag what the step treats as constant
+};
+
+}  // namespace slipstitch

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "math/types.h"
+
+namespace slipstitch {
+
+/// What a scene simulates. An effect that is not engaged here is not built: no stencils, no unknowns, no cost.
+/// Symbols as in core/README.md.
+
+/// Consistent Eulerian-on-Lagrangian mass. Off: every step is quasi-static.
+struct InertiaEffect {
+  double sliding_mass_fraction = 1e-6;  // m_u = fraction * rho * rest segment length [kg] on every free arc length, >= 0
+};
+
+struct GravityEffect {
+  Vec3 acceleration_m_per_s2{0.0, -9.81, 0.0};
+};
+
+struct StretchEffect {};  // k_s from the yarn
+
+struct BendingEffect {};  // k_b from the yarn, rest angle 0
+
+/// Raises k_b from x1 to x max_factor while the curvature 2 theta/W grows from kappa_j = pi/W_rest to
+/// full_at * kappa_j (C2 smoothstep of log k_b). Needs bending.
+struct BendingJammingEffect {
+  double max_factor = 1000.0;  // >= 1
+  double full_at = 2.0;        // > 1
+};
+
+/// V = 1/2 k_w L t(psi - s psi0)^2 on both diagonals of every stitch contact.
+struct WrappingEffect {
+  double alpha = 1.0;                 // k_w = alpha EI / L^2, >= 0; used when stiffness_n is absent
+  std::optional<double> stiffness_n;  // k_w per diagonal [N], >= 0
+  double rest_angle_rad = kPi / 2;    // psi0, in [0, pi)
+};
+
+/// V = 1/2 k_l L (l/L - 1)^2 on both arc lengths of every stitch contact. Needs sliding.
+struct ContactLengthEffect {
+  std::optional<double> stiffness_n;  // k_l [N] > 0; default EA
+};
+
+/// V = 1/2 k_c L (du - d)^2 where du < d, on free segments between contacts of one yarn; d = min(2R, ratio * rest du).
+/// Needs sliding.
+struct ParallelContactEffect {
+  std::optional<double> stiffness_n_per_m2;  // k_c > 0; default EA / (2R)^2
+  double rest_ratio = 0.7;                   // in (0, 1]
+};
+
+/// Arc lengths of contact and guide nodes become unknowns. Off: 3 unknowns a node.
+struct SlidingEffect {};
+
+/// Anchored-spring stick-slip on every sliding coordinate. Needs sliding.
+struct SlidingFrictionEffect {
+  double coefficient = 0.3;              // mu >= 0
+  double stick_stiffness_n_per_m = 100;  // k_f > 0
+  std::optional<double> normal_force_n;  // given F_n >= 0; default: estimated from the yarns' tension and bending
+};
+
+/// Viscous, 1/2 eta rate^2: rigid motion is undamped.
+struct DampingEffect {
+  double stretch_ns = 0.0;         // eta of the stretch rate [N s], >= 0
+  double bending_nm2s = 0.0;       // eta of theta [N m^2 s], >= 0
+  double wrapping_ns = 0.0;        // eta of psi [N s], >= 0
+  double sliding_ns_per_m = 1e-3;  // d_f on every sliding coordinate [N s/m], >= 0; acts only with sliding
+};
+
+struct Effects {
+  std::optional<InertiaEffect> inertia;
+  std::optional<GravityEffect> gravity;
+  std::optional<StretchEffect> stretch;
+  std::optional<BendingEffect> bending;
+  std::optional<BendingJammingEffect> bending_jamming;
+  std::optional<WrappingEffect> wrapping;
+  std::optional<ContactLengthEffect> contact_length;
+  std::optional<ParallelContactEffect> parallel_contact;
+  std::optional<SlidingEffect> sliding;
+  std::optional<SlidingFrictionEffect> sliding_friction;
+  std::optional<DampingEffect> damping;
+};
+
+}  // namespace slipstitch

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace slipstitch {
+
+/// One thing wrong with the user's input. `path` uses the schema's spelling, e.g. "yarn.radius_m", "knit.chart.rows[3]".
+struct Issue {
+  std::string path;
+  std::string value;     // the offending value as text
+  std::string expected;  // what would have been right
+  bool too_big = false;  // over a stated limit rather than malformed
+};
+
+using Issues = std::vector<Issue>;
+
+}  // namespace slipstitch

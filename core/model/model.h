@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "model/scene.h"
+#include "model/topology.h"
+
+namespace slipstitch {
+
+/// A group of nodes whose positions follow a script.
+struct ScriptedNodes {
+  std::vector<int> nodes;
+  std::vector<Keyframe> motion;  // empty: held
+  bool fix_arc_length = false;
+};
+
+/// A scene made concrete: everything that is constant while simulating.
+struct Model {
+  Topology topology;
+  YarnMaterial yarn;
+  Effects effects;
+  std::vector<ScriptedNodes> handles;
+  std::vector<int> load_nodes;
+  std::vector<Vec3> load_forces;  // [N] per entry of load_nodes
+  VecX start_q;                   // (num_coords)
+  VecX start_v;                   // (num_coords) [m/s]
+};
+
+/// Per-segment constants, as the force terms need them.
+double rest_length(const Topology& topology, int segment);
+double linear_density(const Model& model, int yarn);  // rho / c_L [kg/m]
+
+}  // namespace slipstitch

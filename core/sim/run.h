@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/model.h"
+#include "sim/frame.h"
+
+namespace slipstitch {
+
+enum class RunStatus { succeeded, failed, cancelled };
+
+struct Progress {
+  double t = 0.0, duration_s = 0.0;  // simulated [s]
+  int frames = 0, num_frames = 0;    // written, planned
+  long steps = 0, newton_iterations = 0;
+  double step_s = 0.0;               // current step
+  double residual = 0.0;             // of the last accepted step; m/s, or N when quasi-static
+  double wall_s = 0.0;
+};
+
+struct RunHooks {
+  std::function<void(const FrameHeader&)> on_header;   // once, before the first frame
+  std::function<void(const Frame&)> on_frame;          // may be empty
+  std::function<void(const Progress&)> on_progress;    // after every step; may be empty
+  std::function<bool()> should_stop;                   // polled every step and every Newton iteration; may be empty
+};
+
+/// One run, measured. Absent optionals were not measured.
+struct RunSummary {
+  RunStatus status = RunStatus::failed;
+  std::string message;  // why it failed, naming stitch, effect and time where known
+  std::string scene;
+  int loops = 0, nodes = 0, dofs = 0;
+  std::vector<std::string> effects;
+  double sim_time_s = 0.0, wall_s = 0.0;
+  int frames = 0;
+  long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0, factorizations = 0;
+  long projected_hessians = 0;               // factorisations that needed projected blocks
+  std::map<std::string, double> wall_by_phase_s;
+  std::map<std::string, double> energy_j;    // by term at the end; "kinetic" included
+  double residual = 0.0;                     // largest over the accepted steps
+  std::string residual_unit;                 // "m/s" or "N"
+  std::optional<double> error_estimate_m;
+  std::optional<double> min_arc_gap_ratio;   // smallest du / rest du seen
+  std::optional<double> max_stretch;         // largest |dx|/du seen
+  std::optional<double> max_slid_m, mean_slid_m;  // |arc length - start| over sliding visits at the end
+  std::optional<double> faded_wrap_share;    // of all wraps at the end, and of those away from every edge
+  std::optional<double> faded_wrap_share_interior;
+  std::optional<long> wrap_ridge_entries;    // wraps that entered the cap around psi = s psi0 +- pi
+  std::optional<long> peak_memory_bytes;
+  std::string state_hash;                    // of the final q
+  std::string linear_solver, blas, version;
+  int threads = 1;
+};
+
+/// Number of frames of a run: frame k is at t = k / frames_per_s, the last one at or before the duration.
+int planned_frames(double duration_s, double frames_per_s);
+
+/// Runs a checked scene. Never throws for numerical trouble: that is a status with a message.
+RunSummary run(const Scene& scene, int threads, const RunHooks& hooks);
+
+}  // namespace slipstitch
