@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "run_dir/result.h"
+#include "run_dir/worker_info.h"
+#include "sim/run.h"
+
+namespace slipstitch {
+
+/// job.json: what was decided when the job was created.
+struct JobInfo {
+  std::string name;        // simJobs/{id}; empty for a local run
+  std::string request_id;  // empty: none given
+  std::string spec_hash;
+  int threads = 1;          // >= 1, resolved
+  std::string blas;         // BLAS core
+  std::string create_time;  // RFC 3339, UTC, microseconds: sorts as text
+};
+
+/// progress.json.
+struct ProgressInfo {
+  Progress progress;
+  std::optional<double> eta_s;  // wall time to go, from the share of simulated time done; absent before any is
+  std::string update_time;      // RFC 3339, UTC
+};
+
+/// Keys are the field names. Not measured, and not finite, is null, never 0.
+nlohmann::ordered_json to_json(const JobInfo& job);
+nlohmann::ordered_json to_json(const ProgressInfo& progress);
+nlohmann::ordered_json to_json(const WorkerInfo& worker);
+nlohmann::ordered_json to_json(const RunSummary& summary);
+
+/// Strict about types, lenient about unknown keys (a newer program may have written them).
+Result<JobInfo> job_from_json(std::string_view text);
+Result<ProgressInfo> progress_from_json(std::string_view text);
+Result<WorkerInfo> worker_from_json(std::string_view text);
+Result<RunSummary> summary_from_json(std::string_view text);
+
+std::string_view status_word(RunStatus status);  // succeeded, failed, cancelled
+std::optional<RunStatus> status_from_word(std::string_view word);
+
+std::string utc_now();  // RFC 3339 with microseconds
+std::optional<double> estimate_eta(const Progress& progress);
+
+}  // namespace slipstitch
