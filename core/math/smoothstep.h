@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace slipstitch {
+
+/// A function of one variable with its first two derivatives.
+struct Jet2 {
+  double f = 0.0, d = 0.0, dd = 0.0;
+};
+
+/// C2 step 6x^5 - 15x^4 + 10x^3: 0 for x <= 0, 1 for x >= 1.
+inline Jet2 smoothstep(double x) {
+  if (x <= 0.0) return {0.0, 0.0, 0.0};
+  if (x >= 1.0) return {1.0, 0.0, 0.0};
+  const double y = x * (1.0 - x);
+  return {x * x * x * (x * (6.0 * x - 15.0) + 10.0), 30.0 * y * y, 60.0 * y * (1.0 - 2.0 * x)};
+}
+
+}  // namespace slipstitch
