@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "force/bend_geometry.h"
+
+#include <array>
+
+namespace slipstitch {
+namespace {
+
+constexpr std::array<int, 3> kX{0, 4, 7};  // x2, x0, x1
+constexpr int kU2 = 3, kU1 = 10;
+
+// d1 = x0 - x2, d2 = x1 - x0.
+Vec<9> to_nodes(const Vec<6>& d) {
+  Vec<9> x;
+  x << -d.head<3>(), d.head<3>() - d.tail<3>(), d.tail<3>();
+  return x;
+}
+
+}  // namespace
+
+void bend_derivatives(const BendFunction& f, const Cosine& cosine, Vec<11>* g, Mat<11>* hess) {
+  const Vec<6> dc = cosine.gradient();
+  if (g) {
+    const Vec<9> x = to_nodes(f.c * dc);
+    *g << x.head<3>(), -f.W, x.tail<6>(), f.W;
+  }
+  if (hess) {
+    const Mat<6> h = f.cc * dc * dc.transpose() + f.c * cosine.hessian();
+    const Mat3 A = h.block<3, 3>(0, 0), B = h.block<3, 3>(0, 3), C = h.block<3, 3>(3, 3);
+    const Mat3 Bt = B.transpose();
+    hess->block<3, 3>(0, 0) = A;
+    hess->block<3, 3>(0, 4) = B - A;
+    hess->block<3, 3>(0, 7) = -B;
+    hess->block<3, 3>(4, 4) = A - B - Bt + C;
+    hess->block<3, 3>(4, 7) = B - C;
+    hess->block<3, 3>(7, 7) = C;
+    hess->block<3, 3>(4, 0) = hess->block<3, 3>(0, 4).transpose();
+    hess->block<3, 3>(7, 0) = -Bt;
+    hess->block<3, 3>(7, 4) = hess->block<3, 3>(4, 7).transpose();
+    const Vec<9> mixed = to_nodes(f.cW * dc);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 m = mixed.segment<3>(3 * static_cast<Eigen::Index>(i));
+      hess->block<3, 1>(kX[i], kU1) = m;
+      hess->block<3, 1>(kX[i], kU2) = -m;
+      hess->block<1, 3>(kU1, kX[i]) = m.transpose();
+      hess->block<1, 3>(kU2, kX[i]) = -m.transpose();
+    }
+    (*hess)(kU1, kU1) = (*hess)(kU2, kU2) = f.WW;
+    (*hess)(kU1, kU2) = (*hess)(kU2, kU1) = -f.WW;
+  }
+}
+
+}  // namespace slipstitch

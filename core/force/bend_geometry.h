@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "math/cosine.h"
+#include "math/types.h"
+
+namespace slipstitch {
+
+/// A function of the cosine c of the bend angle and of the arc length W = u1 - u2 over the bend.
+struct BendFunction {
+  double value = 0.0;
+  double c = 0.0, W = 0.0;              // first derivatives
+  double cc = 0.0, cW = 0.0, WW = 0.0;  // second derivatives
+};
+
+inline Cosine bend_cosine(const Vec<11>& q) {
+  return Cosine(q.segment<3>(4) - q.segment<3>(0), q.segment<3>(7) - q.segment<3>(4));
+}
+inline double bend_arc(const Vec<11>& q) { return q[10] - q[3]; }
+
+/// Chain rule from (c, W) to x2, u2, x0, x1, u1. g and hess may be null.
+void bend_derivatives(const BendFunction& f, const Cosine& cosine, Vec<11>* g, Mat<11>* hess);
+
+}  // namespace slipstitch

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "force/bending_jamming.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "force/bend_geometry.h"
+#include "force/segments.h"
+#include "math/smoothstep.h"
+
+namespace slipstitch {
+namespace {
+
+// f - 1 as a function of kappa.
+Jet2 jamming_factor(const JammingParameters& p, double kappa_j, double kappa) {
+  const double slope = 1.0 / (kappa_j * (p.full_at - 1.0));
+  const Jet2 S = smoothstep((kappa - kappa_j) * slope);
+  const double a = p.log_max_factor;
+  const double f = std::exp(a * S.f);
+  const double d = a * S.d * slope;
+  return {std::expm1(a * S.f), f * d, f * (d * d + a * S.dd * slope * slope)};
+}
+
+// With kappa = 2 theta/W the energy is k_b/4 (f - 1) kappa^2 W = W G(kappa).
+BendFunction jammed_bend(double k_b, const Jet2& f, double theta, double kappa, double W, const Cosine& cosine) {
+  const double k = 0.25 * k_b;
+  const Jet2 G{k * f.f * kappa * kappa, k * (f.d * kappa * kappa + 2.0 * f.f * kappa),
+               k * (f.dd * kappa * kappa + 4.0 * f.d * kappa + 2.0 * f.f)};
+  const double d_theta = 2.0 * G.d;        // dV/dtheta
+  const double dd_theta = 4.0 * G.dd / W;  // d2V/dtheta2
+  const double dd_mixed = -2.0 * theta * 2.0 * G.dd / (W * W);
+  const double s = std::max(cosine.s, 1e-12);  // cone at theta = pi, as in bending
+  BendFunction b;
+  b.value = W * G.f;
+  b.c = -d_theta / s;
+  b.cc = (dd_theta * s - d_theta * cosine.c) / (s * s * s);
+  b.W = G.f - kappa * G.d;
+  b.cW = -dd_mixed / s;
+  b.WW = kappa * kappa * G.dd / W;
+  return b;
+}
+
+}  // namespace
+
+double bending_jamming_energy(const JammingParameters& p, double kappa_j, const Vec<11>& q, Vec<11>* g, Mat<11>* hess) {
+  const double W = bend_arc(q);
+  const bool ordered = W > 0.0;
+  const Cosine cosine = bend_cosine(q);
+  const double theta = cosine.theta();
+  const double kappa = ordered ? 2.0 * theta / W : 0.0;
+  if (!(kappa > kappa_j)) {
+    if (g) g->setZero();
+    if (hess) hess->setZero();
+    return ordered ? 0.0 : std::numeric_limits<double>::infinity();
+  }
+  const BendFunction b = jammed_bend(p.k_b, jamming_factor(p, kappa_j, kappa), theta, kappa, W, cosine);
+  if (g || hess) bend_derivatives(b, cosine, g, hess);
+  return b.value;
+}
+
+BendingJamming::BendingJamming(const Model& model) {
+  const auto& effect = model.effects.bending_jamming;
+  if (!effect) return;
+  parameters_ = {model.yarn.bending_nm2, std::log(effect->max_factor), effect->full_at};
+  for_each_owned_bend(model.topology, [&](int, int i) {
+    coords_.push_back(bend_coords(model.topology, i));
+    kappa_j_.push_back(kPi / (rest_length(model.topology, i - 1) + rest_length(model.topology, i)));
+  });
+}
+
+}  // namespace slipstitch

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "force/parallel_contact.h"
+
+#include <algorithm>
+
+#include "force/segments.h"
+
+namespace slipstitch {
+namespace {
+
+// A node that two visits share is a contact; one that slides without being shared is a guide.
+std::vector<bool> contact_visits(const Topology& topology) {
+  std::vector<int> visits_of_node(static_cast<std::size_t>(topology.num_nodes), 0);
+  for (int node : topology.visit_node) ++visits_of_node[static_cast<std::size_t>(node)];
+  std::vector<bool> contact(topology.visit_node.size());
+  for (std::size_t i = 0; i < contact.size(); ++i) {
+    contact[i] = topology.visit_slides[i] != 0 || visits_of_node[static_cast<std::size_t>(topology.visit_node[i])] > 1;
+  }
+  return contact;
+}
+
+}  // namespace
+
+double parallel_contact_energy(double k_c, double L, double d, const Vec<2>& q, Vec<2>* g, Mat<2>* hess) {
+  const double gap = std::min(q[1] - q[0] - d, 0.0);
+  const double k = gap < 0.0 ? k_c * L : 0.0;
+  if (g) *g << -k * gap, k * gap;
+  if (hess) *hess << k, -k, -k, k;
+  return 0.5 * k * gap * gap;
+}
+
+ParallelContact::ParallelContact(const Model& model) {
+  const auto& effect = model.effects.parallel_contact;
+  if (!effect) return;
+  const double diameter = 2.0 * model.yarn.radius_m;
+  k_c_ = effect->stiffness_n_per_m2.value_or(model.yarn.stretch_n / (diameter * diameter));
+  const Topology& topology = model.topology;
+  const std::vector<bool> contact = contact_visits(topology);
+  for_each_owned_segment(topology, [&](int, int i) {
+    const auto s = static_cast<std::size_t>(i);
+    if (topology.segment_kind[s] != SegmentKind::free || !contact[s] || !contact[s + 1]) return;
+    const double rest = rest_length(topology, i);
+    coords_.push_back({topology.arc_coord(i), topology.arc_coord(i + 1)});
+    rest_.push_back(rest);
+    distance_.push_back(std::min(diameter, effect->rest_ratio * rest));
+  });
+}
+
+}  // namespace slipstitch

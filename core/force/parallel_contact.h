@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "force/term.h"
+#include "model/model.h"
+
+namespace slipstitch {
+
+/// V = 1/2 k_c L (D - d)^2 where D = u1 - u0 < d, else 0; k_c [N/m^2], L rest arc length [m]. Order u0, u1.
+/// C1: the Hessian jumps at D = d.
+double parallel_contact_energy(double k_c, double L, double d, const Vec<2>& q, Vec<2>* g, Mat<2>* hess);
+
+/// Keeps neighbouring contacts of one yarn apart: free segments whose two ends are contacts or guides.
+class ParallelContact {
+ public:
+  static constexpr int kSize = 2;
+  static constexpr std::string_view kName = "parallel_contact";
+
+  explicit ParallelContact(const Model& model);
+  int size() const { return static_cast<int>(coords_.size()); }
+  std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
+  double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
+    const auto i = static_cast<std::size_t>(k);
+    return parallel_contact_energy(k_c_, rest_[i], distance_[i], q, g, hess);
+  }
+  void begin_step(const StepContext&) {}
+
+ private:
+  double k_c_ = 0.0;                            // [N/m^2]
+  std::vector<std::array<int, kSize>> coords_;  // (size)
+  std::vector<double> rest_, distance_;         // L, d [m] (size)
+};
+static_assert(ForceTerm<ParallelContact>);
+
+}  // namespace slipstitch

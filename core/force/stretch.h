@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "force/term.h"
+#include "model/model.h"
+
+namespace slipstitch {
+
+/// V = 1/2 k_s D (|d|/D - 1)^2 of one segment, D = u1 - u0, d = x1 - x0. Order x0, u0, x1, u1.
+/// D <= 0 has no meaning: the energy is infinite and the derivatives are 0. g and hess may be null.
+/// [Cirio et al. 2014, Yarn-level simulation of woven cloth, stretch energy]
+double stretch_energy(double k_s, const Vec<8>& q, Vec<8>* g, Mat<8>* hess);
+
+/// Stretching of every segment.
+class Stretch {
+ public:
+  static constexpr int kSize = 8;
+  static constexpr std::string_view kName = "stretch";
+
+  explicit Stretch(const Model& model);
+  int size() const { return static_cast<int>(coords_.size()); }
+  std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
+  double eval(int, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
+    return stretch_energy(k_s_, q, g, hess);
+  }
+  void begin_step(const StepContext&) {}
+
+ private:
+  double k_s_ = 0.0;                            // [N]
+  std::vector<std::array<int, kSize>> coords_;  // (size)
+};
+static_assert(ForceTerm<Stretch>);
+
+}  // namespace slipstitch

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "force/term.h"
+#include "force/wrap_angle.h"
+#include "force/wrap_fade.h"
+#include "math/smoothstep.h"
+#include "model/model.h"
+
+namespace slipstitch {
+
+/// The published energy V = 1/2 k (psi - rest)^2, k = k_w L [N m], singular where psi is. Order x0, x1, x3, x4.
+/// [Cirio et al. 2017, Yarn-level cloth simulation with sliding persistent contacts]
+double bare_wrapping_energy(double k, double rest, const Vec<12>& q, Vec<12>* g, Mat<12>* hess);
+
+/// The energy in use, smooth everywhere: V = k S (E(t) + offset), t = psi - rest brought into (-pi, pi],
+/// S = wrap_fade, E = wrap_well. The derivatives are exact also where it fades.
+double wrapping_energy(double k, double rest, double offset, const Vec<12>& q, Vec<12>* g, Mat<12>* hess);
+
+/// t^2/2 for |t| <= pi - 0.1; from there E' = t (1 - smoothstep) falls to 0 at +-pi, so that E, periodic, is C2 there.
+Jet2 wrap_well(double t);
+inline constexpr double kWrapCapWidth = 0.1;
+
+double wrap_excess(double psi, double rest);  // psi - rest in (-pi, pi]
+inline bool wrap_in_cap(double t) { return t > kPi - kWrapCapWidth || t < kWrapCapWidth - kPi; }
+
+/// A wrap that fades with offset 0 gives up its energy and so draws the yarn straight; with -pi^2/6, minus the mean
+/// of t^2/2 over the circle, it does not on average.
+enum class WrapFadeForm { plain, no_net_attraction };
+
+/// Both diagonals of every stitch contact. k_w L with L the rest arc length of yarn u in the contact, the same for both
+/// yarns; a diagonal without one of its outer nodes is absent.
+class Wrapping {
+ public:
+  static constexpr int kSize = 12;
+  static constexpr std::string_view kName = "wrapping";
+
+  explicit Wrapping(const Model& model, WrapFadeForm form = WrapFadeForm::plain);
+  int size() const { return static_cast<int>(coords_.size()); }
+  std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
+  double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
+    const auto i = static_cast<std::size_t>(k);
+    return wrapping_energy(stiffness_[i], rest_angle_[i], offset_, q, g, hess);
+  }
+  void begin_step(const StepContext&) {}
+
+  int contact(int k) const { return contact_[static_cast<std::size_t>(k)]; }           // index of its stitch contact
+  double rest_angle(int k) const { return rest_angle_[static_cast<std::size_t>(k)]; }  // s psi0 [rad]
+
+ private:
+  double offset_ = 0.0;                         // added to E(t)
+  std::vector<std::array<int, kSize>> coords_;  // (size)
+  std::vector<double> stiffness_;               // k_w L [N m] (size)
+  std::vector<double> rest_angle_;              // s psi0 [rad] (size)
+  std::vector<int> contact_;                    // (size)
+};
+static_assert(ForceTerm<Wrapping>);
+
+}  // namespace slipstitch
