@@ -37,7 +37,6 @@ struct RecordHead {
   std::int64_t index = 0;
   double t = 0.0;
   std::uint64_t length = 0;
-  std::uint32_t crc = 0;  // of head and payload
 };
 
 inline constexpr std::size_t kRecordHeadBytes = 40;

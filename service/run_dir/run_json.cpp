@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+#include "run_dir/run_json.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <type_traits>
+
+namespace slipstitch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<std::string_view, 3> kStatusWords{"succeeded", "failed", "cancelled"};
+
+class JsonWriter {
+ public:
+  template <class T>
+  void operator()(const char* key, const T& value) {
+    json_[key] = as_json(value);
+  }
+  Json take() { return std::move(json_); }
+
+ private:
+  static Json as_json(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+  static Json as_json(RunStatus value) { return status_word(value); }
+  template <class T>
+  static Json as_json(const std::optional<T>& value) {
+    return value ? as_json(*value) : Json(nullptr);
+  }
+  static Json as_json(const std::map<std::string, double>& values) {
+    Json json = Json::object();
+    for (const auto& [key, value] : values) json[key] = as_json(value);
+    return json;
+  }
+  template <class T>
+  static Json as_json(const T& value) {
+    return value;
+  }
+
+  Json json_ = Json::object();
+};
+
+class JsonReader {
+ public:
+  explicit JsonReader(const nlohmann::json& json) : json_(json) {}
+
+  template <class T>
+  void operator()(const char* key, T& value) {
+    const auto found = json_.find(key);
+    if (found == json_.end() || !from_json(*found, value)) {
+      if (error_.empty()) error_ = std::string(key) + (found == json_.end() ? " is missing" : " has the wrong type");
+    }
+  }
+  const std::string& error() const { return error_; }
+
+ private:
+  static bool from_json(const nlohmann::json& json, double& value) {
+    if (!json.is_number() && !json.is_null()) return false;
+    value = json.is_null() ? std::nan("") : json.get<double>();
+    return true;
+  }
+  static bool from_json(const nlohmann::json& json, std::string& value) {
+    return json.is_string() && (value = json.get<std::string>(), true);
+  }
+  static bool from_json(const nlohmann::json& json, RunStatus& value) {
+    const auto status = json.is_string() ? status_from_word(json.get<std::string>()) : std::nullopt;
+    return status && (value = *status, true);
+  }
+  template <class T>
+  requires std::is_integral_v<T>
+  static bool from_json(const nlohmann::json& json, T& value) {
+    return json.is_number_integer() && (value = json.get<T>(), true);
+  }
+  template <class T>
+  static bool from_json(const nlohmann::json& json, std::optional<T>& value) {
+    value.reset();
+    return json.is_null() || from_json(json, value.emplace());
+  }
+  static bool from_json(const nlohmann::json& json, std::vector<std::string>& values) {
+    bool ok = json.is_array();
+    for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
+    return ok;
+  }
+  static bool from_json(const nlohmann::json& json, std::map<std::string, double>& values) {
+    if (!json.is_object()) return false;
+    for (const auto& [key, value] : json.items()) {
+      if (!from_json(value, values[key])) return false;
+    }
+    return true;
+  }
+
+  const nlohmann::json& json_;
+  std::string error_;
+};
+
+void fields(auto& visit, auto& job) requires std::is_same_v<std::remove_cvref_t<decltype(job)>, JobInfo> {
+  visit("name", job.name);
+  visit("request_id", job.request_id);
+  visit("spec_hash", job.spec_hash);
+  visit("threads", job.threads);
+  visit("blas", job.blas);
+  visit("create_time", job.create_time);
+}
+
+void fields(auto& visit, auto& info) requires std::is_same_v<std::remove_cvref_t<decltype(info)>, ProgressInfo> {
+  auto& progress = info.progress;
+  visit("t", progress.t);
+  visit("duration_s", progress.duration_s);
+  visit("frames", progress.frames);
+  visit("num_frames", progress.num_frames);
+  visit("steps", progress.steps);
+  visit("newton_iterations", progress.newton_iterations);
+  visit("step_s", progress.step_s);
+  visit("residual", progress.residual);
+  visit("wall_s", progress.wall_s);
+  visit("eta_s", info.eta_s);
+  visit("update_time", info.update_time);
+}
+
+void fields(auto& visit, auto& worker) requires std::is_same_v<std::remove_cvref_t<decltype(worker)>, WorkerInfo> {
+  visit("pid", worker.pid);
+  visit("start_ticks", worker.start_ticks);
+  visit("boot_id", worker.boot_id);
+  visit("handle", worker.handle);
+}
+
+void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvref_t<decltype(summary)>, RunSummary> {
+  visit("status", summary.status);
+  visit("message", summary.message);
+  visit("scene", summary.scene);
+  visit("loops", summary.loops);
+  visit("nodes", summary.nodes);
+  visit("dofs", summary.dofs);
+  visit("effects", summary.effects);
+  visit("sim_time_s", summary.sim_time_s);
+  visit("wall_s", summary.wall_s);
+  visit("frames", summary.frames);
+  visit("steps", summary.steps);
+  visit("rejected_steps", summary.rejected_steps);
+  visit("newton_iterations", summary.newton_iterations);
+  visit("linear_iterations", summary.linear_iterations);
+  visit("factorizations", summary.factorizations);
+  visit("projected_hessians", summary.projected_hessians);
+  visit("wall_by_phase_s", summary.wall_by_phase_s);
+  visit("energy_j", summary.energy_j);
+  visit("residual", summary.residual);
+  visit("residual_unit", summary.residual_unit);
+  visit("error_estimate_m", summary.error_estimate_m);
+  visit("min_arc_gap_ratio", summary.min_arc_gap_ratio);
+  visit("max_stretch", summary.max_stretch);
+  visit("max_slid_m", summary.max_slid_m);
+  visit("mean_slid_m", summary.mean_slid_m);
+  visit("faded_wrap_share", summary.faded_wrap_share);
+  visit("faded_wrap_share_interior", summary.faded_wrap_share_interior);
+  visit("wrap_ridge_entries", summary.wrap_ridge_entries);
+  visit("peak_memory_bytes", summary.peak_memory_bytes);
+  visit("state_hash", summary.state_hash);
+  visit("linear_solver", summary.linear_solver);
+  visit("blas", summary.blas);
+  visit("threads", summary.threads);
+  visit("version", summary.version);
+}
+
+template <class T>
+Json write_fields(const T& value) {
+  JsonWriter writer;
+  fields(writer, value);
+  return writer.take();
+}
+
+template <class T>
+Result<T> read_fields(std::string_view text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object()) return Result<T>::failed("not a JSON object");
+  T value;
+  JsonReader reader(json);
+  fields(reader, value);
+  return reader.error().empty() ? Result<T>::of(std::move(value)) : Result<T>::failed(reader.error());
+}
+
+}  // namespace
+
+Json to_json(const JobInfo& job) { return write_fields(job); }
+Json to_json(const ProgressInfo& progress) { return write_fields(progress); }
+Json to_json(const WorkerInfo& worker) { return write_fields(worker); }
+Json to_json(const RunSummary& summary) { return write_fields(summary); }
+
+Result<JobInfo> job_from_json(std::string_view text) { return read_fields<JobInfo>(text); }
+Result<ProgressInfo> progress_from_json(std::string_view text) { return read_fields<ProgressInfo>(text); }
+Result<WorkerInfo> worker_from_json(std::string_view text) { return read_fields<WorkerInfo>(text); }
+Result<RunSummary> summary_from_json(std::string_view text) { return read_fields<RunSummary>(text); }
+
+std::string_view status_word(RunStatus status) { return kStatusWords[static_cast<std::size_t>(status)]; }
+
+std::optional<RunStatus> status_from_word(std::string_view word) {
+  for (std::size_t i = 0; i < kStatusWords.size(); ++i) {
+    if (kStatusWords[i] == word) return static_cast<RunStatus>(i);
+  }
+  return std::nullopt;
+}
+
+std::string utc_now() {
+  using namespace std::chrono;
+  const auto micros = duration_cast<microseconds>(system_clock::now().time_since_epoch()).count();
+  const std::time_t seconds = static_cast<std::time_t>(micros / 1'000'000);
+  std::tm utc{};
+  ::gmtime_r(&seconds, &utc);
+  std::array<char, 32> date{};
+  std::strftime(date.data(), date.size(), "%Y-%m-%dT%H:%M:%S", &utc);
+  std::array<char, 16> fraction{};
+  std::snprintf(fraction.data(), fraction.size(), ".%06dZ", static_cast<int>(micros % 1'000'000));
+  return std::string(date.data()) + fraction.data();
+}
+
+std::optional<double> estimate_eta(const Progress& progress) {
+  if (!(progress.t > 0.0) || !(progress.duration_s >= progress.t)) return std::nullopt;
+  return progress.wall_s * (progress.duration_s - progress.t) / progress.t;
+}
+
+}  // namespace slipstitch
