@@ -103,6 +103,7 @@ void fields(auto& visit, auto& job) requires std::is_same_v<std::remove_cvref_t<
   visit("threads", job.threads);
   visit("blas", job.blas);
   visit("create_time", job.create_time);
+  visit("scene_name", job.scene_name);
 }
 
 void fields(auto& visit, auto& info) requires std::is_same_v<std::remove_cvref_t<decltype(info)>, ProgressInfo> {

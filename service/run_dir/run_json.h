@@ -20,6 +20,7 @@ struct JobInfo {
   int threads = 1;          // >= 1, resolved
   std::string blas;         // BLAS core
   std::string create_time;  // RFC 3339, UTC, microseconds: sorts as text
+  std::string scene_name;   // Scene.name, so that a list of jobs needs no scene file
 };
 
 /// progress.json.
