@@ -12,6 +12,7 @@ struct Issue {
   std::string value;     // the offending value as text
   std::string expected;  // what would have been right
   bool too_big = false;  // over a stated limit rather than malformed
+  int line = 0, column = 0;  // in the scene file, 1-based; 0: not known
 };
 
 using Issues = std::vector<Issue>;
