@@ -22,7 +22,7 @@ class FrameLogWriter {
   /// New log; an existing file is refused.
   static Result<FrameLogWriter> create(const std::filesystem::path& file);
 
-  /// Goes on with a log left behind by a crash: cuts a torn last record. Refused: another corruption, an ended log.
+  /// Goes on with a log left behind by a crash: cuts a torn or broken last record. Refused: other damage, an ended log.
   static Result<FrameLogWriter> reopen(const std::filesystem::path& file);
 
   IoError append_header(const FrameHeader& header);

@@ -12,6 +12,13 @@
 #include "run_dir/header_codec.h"
 
 namespace slipstitch {
+namespace {
+
+std::uint64_t frame_record_bytes(int num_coords) {
+  return kRecordHeadBytes + static_cast<std::uint64_t>(num_coords) * sizeof(double);
+}
+
+}  // namespace
 
 Result<FrameLogWriter> FrameLogWriter::create(const std::filesystem::path& file) {
   FrameLogWriter writer;
@@ -29,15 +36,17 @@ Result<FrameLogWriter> FrameLogWriter::reopen(const std::filesystem::path& file)
   };
   if (state == LogState::corrupt) return refuse(reader.reason());
   if (state == LogState::ended) return refuse("it has ended");
-  for (int index = 0; index < reader.num_frames(); ++index) {
-    if (const auto frame = reader.read_frame(index); !frame) return refuse(frame.error);
-  }
+  const int num_frames = reader.num_frames();
+  int good = 0;
+  while (good < num_frames && reader.read_frame(good)) ++good;
+  if (good < num_frames - 1) return refuse(reader.read_frame(good).error);
   FrameLogWriter writer;
   writer.file_ = file;
   writer.fd_ = UniqueFd(::open(file.c_str(), O_WRONLY | O_CLOEXEC));
-  writer.size_ = reader.complete_bytes();
-  writer.num_frames_ = reader.num_frames();
   if (reader.header()) writer.num_coords_ = reader.header()->topology.num_coords();
+  writer.num_frames_ = good;
+  writer.size_ = reader.complete_bytes();
+  if (good < num_frames) writer.size_ -= frame_record_bytes(writer.num_coords_);
   if (!writer.fd_ || ::ftruncate(writer.fd_.get(), static_cast<off_t>(writer.size_)) != 0 ||
       ::lseek(writer.fd_.get(), 0, SEEK_END) < 0) {
     return Result<FrameLogWriter>::failed(errno_message("cannot cut", file));

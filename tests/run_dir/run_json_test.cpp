@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+#include "run_dir/run_json.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+
+namespace slipstitch::test {
+namespace {
+
+RunSummary full_summary() {
+  RunSummary summary;
+  summary.status = RunStatus::cancelled;
+  summary.message = "stitch 3 \"x\"";
+  summary.scene = "drape";
+  summary.loops = 1;
+  summary.nodes = 2;
+  summary.dofs = 3;
+  summary.effects = {"stretch", "bending"};
+  summary.sim_time_s = 0.1;
+  summary.wall_s = 1.0 / 3.0;
+  summary.frames = 4;
+  summary.steps = 5'000'000'000;
+  summary.rejected_steps = 6;
+  summary.newton_iterations = 7;
+  summary.linear_iterations = 8;
+  summary.factorizations = 9;
+  summary.projected_hessians = 10;
+  summary.wall_by_phase_s = {{"assemble", 0.25}};
+  summary.energy_j = {{"kinetic", 1e-9}, {"stretch", 2e-9}};
+  summary.residual = 1e-5;
+  summary.residual_unit = "m/s";
+  summary.error_estimate_m = 0.0;
+  summary.min_arc_gap_ratio = 0.5;
+  summary.max_stretch = 1.01;
+  summary.max_slid_m = 1e-4;
+  summary.mean_slid_m = 1e-5;
+  summary.faded_wrap_share = 0.1;
+  summary.faded_wrap_share_interior = 0.0;
+  summary.wrap_ridge_entries = 0;
+  summary.peak_memory_bytes = 123;
+  summary.state_hash = "ab";
+  summary.linear_solver = "cholmod";
+  summary.blas = "Haswell";
+  summary.version = "0.1.0";
+  summary.threads = 2;
+  return summary;
+}
+
+TEST(RunJson, SummaryHasThePromisedKeys) {
+  std::set<std::string> keys;
+  const auto json = to_json(RunSummary{});
+  for (const auto& [key, value] : json.items()) keys.insert(key);
+  const std::set<std::string> promised{"status",
+                                       "scene",
+                                       "loops",
+                                       "nodes",
+                                       "dofs",
+                                       "effects",
+                                       "sim_time_s",
+                                       "wall_s",
+                                       "steps",
+                                       "rejected_steps",
+                                       "newton_iterations",
+                                       "linear_iterations",
+                                       "factorizations",
+                                       "wall_by_phase_s",
+                                       "energy_j",
+                                       "residual",
+                                       "error_estimate_m",
+                                       "min_arc_gap_ratio",
+                                       "max_stretch",
+                                       "peak_memory_bytes",
+                                       "state_hash",
+                                       "linear_solver",
+                                       "blas",
+                                       "threads",
+                                       "version"};
+  for (const std::string& key : promised) EXPECT_TRUE(keys.contains(key)) << key;
+  const std::set<std::string> extra{
+      "message",     "frames",           "projected_hessians",        "residual_unit",     "max_slid_m",
+      "mean_slid_m", "faded_wrap_share", "faded_wrap_share_interior", "wrap_ridge_entries"};
+  EXPECT_EQ(keys.size(), promised.size() + extra.size());
+  for (const std::string& key : extra) EXPECT_TRUE(keys.contains(key)) << key;
+}
+
+TEST(RunJson, SummaryNamesItsMembersInTheStruct) {
+  const auto json = to_json(full_summary());
+  EXPECT_EQ(json["status"], "cancelled");
+  EXPECT_EQ(json["steps"], 5'000'000'000);
+  EXPECT_EQ(json["wall_s"], 1.0 / 3.0);
+  EXPECT_EQ(json["energy_j"]["kinetic"], 1e-9);
+  EXPECT_EQ(json["effects"][1], "bending");
+  EXPECT_EQ(json["threads"], 2);
+}
+
+TEST(RunJson, NotMeasuredIsNullAndZeroIsZero) {
+  for (const char* key : {"error_estimate_m", "min_arc_gap_ratio", "max_stretch", "max_slid_m", "mean_slid_m",
+                          "faded_wrap_share", "faded_wrap_share_interior", "wrap_ridge_entries", "peak_memory_bytes"}) {
+    EXPECT_TRUE(to_json(RunSummary{})[key].is_null()) << key;
+    EXPECT_TRUE(to_json(full_summary())[key].is_number()) << key;
+  }
+  RunSummary summary;
+  summary.residual = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(to_json(summary)["residual"].is_null());
+}
+
+TEST(RunJson, SummaryComesBack) {
+  for (const RunSummary& summary : {full_summary(), RunSummary{}}) {
+    const Result<RunSummary> read = summary_from_json(to_json(summary).dump());
+    ASSERT_TRUE(read) << read.error;
+    EXPECT_EQ(to_json(*read), to_json(summary));
+  }
+}
+
+TEST(RunJson, StatusWordsAreLowerCase) {
+  for (const auto& [status, word] :
+       {std::pair{RunStatus::succeeded, "succeeded"}, std::pair{RunStatus::failed, "failed"},
+        std::pair{RunStatus::cancelled, "cancelled"}}) {
+    EXPECT_EQ(status_word(status), word);
+    EXPECT_EQ(status_from_word(word), status);
+  }
+  EXPECT_FALSE(status_from_word("SUCCEEDED"));
+}
+
+TEST(RunJson, BrokenTextIsRefusedWithTheKey) {
+  EXPECT_FALSE(summary_from_json("{"));
+  EXPECT_FALSE(summary_from_json("[]"));
+  auto json = to_json(full_summary());
+  json["loops"] = "three";
+  EXPECT_NE(summary_from_json(json.dump()).error.find("loops"), std::string::npos);
+  json = to_json(full_summary());
+  json.erase("energy_j");
+  EXPECT_NE(summary_from_json(json.dump()).error.find("energy_j"), std::string::npos);
+  json = to_json(full_summary());
+  json["status"] = "SUCCEEDED";
+  EXPECT_FALSE(summary_from_json(json.dump()));
+  json = to_json(full_summary());
+  json["added_later"] = 1;
+  EXPECT_TRUE(summary_from_json(json.dump()));
+}
+
+TEST(RunJson, JobProgressAndWorkerComeBack) {
+  const JobInfo job{"simJobs/a", "r", "h", 3, "SkylakeX", "2024-05-01T00:00:00.000001Z", "drape"};
+  EXPECT_EQ(to_json(*job_from_json(to_json(job).dump())), to_json(job));
+  const ProgressInfo progress{{0.5, 2.0, 16, 61, 100, 300, 0.005, 1e-5, 3.0}, 9.0, "2024-05-01T00:00:00.000001Z"};
+  EXPECT_EQ(to_json(*progress_from_json(to_json(progress).dump())), to_json(progress));
+  EXPECT_EQ(to_json(progress)["duration_s"], 2.0);
+  const WorkerInfo worker{4'000'000, ~std::uint64_t{0}, "b", "local:1"};
+  const Result<WorkerInfo> read = worker_from_json(to_json(worker).dump());
+  ASSERT_TRUE(read) << read.error;
+  EXPECT_EQ(read->start_ticks, worker.start_ticks);
+  EXPECT_EQ(read->pid, worker.pid);
+}
+
+TEST(RunJson, EtaFollowsTheShareOfSimulatedTime) {
+  Progress progress;
+  progress.duration_s = 2.0;
+  progress.wall_s = 3.0;
+  EXPECT_FALSE(estimate_eta(progress));
+  progress.t = 0.5;
+  EXPECT_EQ(estimate_eta(progress), 9.0);
+}
+
+TEST(RunJson, TimesAreRfc3339) {
+  const std::string now = utc_now();
+  ASSERT_EQ(now.size(), std::string("2024-05-01T00:00:00.000001Z").size());
+  EXPECT_EQ(now[10], 'T');
+  EXPECT_EQ(now.back(), 'Z');
+}
+
+}  // namespace
+}  // namespace slipstitch::test
