@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "sim/simulation.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "sim/step_objective.h"
+
+namespace slipstitch {
+namespace {
+
+class TimedSolver final : public LinearSolver {
+ public:
+  TimedSolver(LinearSolver& inner, std::map<std::string, double>& wall, long& solves)
+      : inner_(inner), wall_(wall), solves_(solves) {}
+  LinearStatus factor(const SparseMatrix& a) override {
+    const Stopwatch watch(wall_["factor"]);
+    return inner_.factor(a);
+  }
+  LinearStatus solve(const VecX& b, VecX& x) override {
+    const Stopwatch watch(wall_["solve"]);
+    ++solves_;
+    return inner_.solve(b, x);
+  }
+  std::string name() const override { return inner_.name(); }
+
+ private:
+  LinearSolver& inner_;
+  std::map<std::string, double>& wall_;
+  long& solves_;
+};
+
+State start_state(const Model& model, const YarnForces& forces) {
+  State state;
+  state.q = model.start_q;
+  state.v = model.start_v;
+  state.p = std::get<Inertia>(forces).momentum(state.q, state.v);
+  state.anchor = state.q.tail(model.topology.num_visits());
+  return state;
+}
+
+}  // namespace
+
+Simulation::Simulation(Model model)
+    : model_(std::move(model)),
+      forces_(make_forces(model_)),
+      map_(make_dof_map(model_)),
+      assembly_(forces_, map_),
+      solver_(make_cholmod_solver()) {
+  state_ = start_state(model_, forces_);
+}
+
+void Simulation::begin_step(const StepContext& step) {
+  const Stopwatch watch(wall_["begin_step"]);
+  std::apply([&](auto&... term) { (term.begin_step(step), ...); }, forces_);
+}
+
+StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop) {
+  begin_step({h, state_});
+  VecX start = state_.q;
+  apply_scripts(model_, state_.t + h, start);
+  for (int c = 0; c < map_.num_coords(); ++c)
+    if (map_.dof_of(c) < 0) map_.offset[c] = start[c];
+
+  StepObjective objective(forces_, map_, assembly_, model_.topology, wall_);
+  TimedSolver solver(*solver_, wall_, linear_solves_);
+  VecX y;
+  restrict_to_dofs(map_, state_.q, y);
+  if (!quasi_static()) objective.use_better_start(y, h, state_.v);
+
+  NewtonOptions options;
+  options.max_iterations = numerics.max_newton_iterations;
+  options.should_stop = should_stop;
+  if (quasi_static()) {
+    options.gradient_tolerance = numerics.force_tolerance_n;
+    options.relative_shift = 1e-9;
+  } else {
+    options.step_tolerance = h * numerics.velocity_tolerance_m_per_s;
+  }
+  StepReport report;
+  report.newton = newton(objective, solver, options, y);
+  report.residual = quasi_static() ? report.newton.max_gradient : report.newton.max_step / h;
+  report.accepted = report.newton.status == NewtonStatus::converged;
+  if (report.accepted) {
+    VecX q;
+    expand(map_, y, q);
+    accept(h, q);
+  }
+  return report;
+}
+
+void Simulation::accept(double h, const VecX& q) {
+  const VecX v = (q - state_.q) / h;
+  const auto& friction = std::get<SlidingFriction>(forces_);
+  state_.p = std::get<Inertia>(forces_).momentum(state_.q, v);
+  state_.v = v;
+  state_.q = q;
+  state_.t += h;
+  if (friction.size() > 0) {
+    friction.drag_anchors(q, state_.anchor);
+  } else {
+    state_.anchor = q.tail(model_.topology.num_visits());
+  }
+}
+
+std::map<std::string, double> Simulation::energies() {
+  std::map<std::string, double> result;
+  assembly_.value(forces_, state_.q);
+  std::size_t i = 0;
+  std::apply([&](const auto&... term) {
+    const auto report = [&](const auto& t, double energy) {
+      using Term = std::decay_t<decltype(t)>;
+      if (kIsPotential<Term> && t.size() > 0) result[std::string(Term::kName)] = energy;
+    };
+    (report(term, assembly_.energies()[i++]), ...);
+  }, forces_);
+  if (const auto& inertia = std::get<Inertia>(forces_); inertia.size() > 0)
+    result["kinetic"] = inertia.kinetic_energy(state_.q, state_.v);
+  return result;
+}
+
+VecX Simulation::reactions() const {
+  VecX gradient = VecX::Zero(map_.num_coords());
+  std::apply([&](const auto&... term) { (add_full_gradient(term, state_.q, gradient), ...); }, forces_);
+  for (int c = 0; c < map_.num_coords(); ++c)
+    if (map_.dof_of(c) >= 0) gradient[c] = 0.0;
+  return gradient;
+}
+
+double order_preserving_step(const Topology& topology, const VecX& q, const VecX& dq, double keep) {
+  double a = 1.0;
+  for (int i = 0; i + 1 < topology.num_visits(); ++i) {
+    if (topology.segment_kind[static_cast<std::size_t>(i)] == SegmentKind::none) continue;
+    const int u0 = topology.arc_coord(i);
+    const double gap = q[u0 + 1] - q[u0], change = dq[u0 + 1] - dq[u0];
+    if (gap + a * change < keep * gap) a = (1.0 - keep) * gap / -change;
+  }
+  return a;
+}
+
+}  // namespace slipstitch

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "model/model.h"
+#include "sim/assembly.h"
+
+namespace slipstitch {
+
+struct StepReport {
+  NewtonReport newton;
+  double residual = 0.0;  // max |Newton step| / h [m/s]; quasi-static: max |gradient| [N]
+  bool accepted = false;
+};
+
+/// One fabric in time. Implicit Euler: each step minimises the sum of all force terms, which are the incremental
+/// potential of the step. Without inertia every step is an equilibrium under the step's script and friction.
+///
+///   Simulation sim(std::move(model));
+///   StepReport report = sim.step(1e-3, numerics, {});
+class Simulation {
+ public:
+  explicit Simulation(Model model);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Advances by h [s] if the solve converges; otherwise the state is unchanged.
+  StepReport step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop);
+
+  const Model& model() const { return model_; }
+  const State& state() const { return state_; }
+  const YarnForces& forces() const { return forces_; }
+  bool quasi_static() const { return !model_.effects.inertia.has_value(); }
+  int num_dofs() const { return map_.num_dofs; }
+  int num_nonzeros() const { return assembly_.pattern()->nonzeros(); }
+  std::string solver_name() const { return solver_->name(); }
+  const std::map<std::string, double>& wall_by_phase_s() const { return wall_; }
+  long linear_solves() const { return linear_solves_; }
+
+  /// Stored energy by potential term, and "kinetic", now [J].
+  std::map<std::string, double> energies();
+  /// Force of the held coordinates' supports on the fabric at the last accepted step, full coordinates [N].
+  VecX reactions() const;
+
+ private:
+  void begin_step(const StepContext& step);
+  void accept(double h, const VecX& q);
+
+  Model model_;
+  State state_;
+  YarnForces forces_;
+  DofMap map_;
+  Assembly assembly_;
+  std::unique_ptr<LinearSolver> solver_;
+  std::map<std::string, double> wall_;
+  long linear_solves_ = 0;
+};
+
+/// Positions of scripted nodes at time t, written into `offset` (num_coords), from their start positions.
+void apply_scripts(const Model& model, double t, VecX& offset);
+
+/// Largest a <= 1 such that moving q by a dq leaves every segment at least `keep` of its present arc length.
+double order_preserving_step(const Topology& topology, const VecX& q, const VecX& dq, double keep);
+
+}  // namespace slipstitch

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// The one file that knows CHOLMOD.
+#include <cholmod.h>
+
+#include "solve/linear_solver.h"
+
+namespace slipstitch {
+namespace {
+
+class CholmodSolver final : public LinearSolver {
+ public:
+  CholmodSolver() {
+    cholmod_start(&common_);
+    common_.print = 0;
+    common_.quick_return_if_not_posdef = 1;
+#ifdef SLIPSTITCH_NO_SUPERNODAL
+    common_.supernodal = CHOLMOD_SIMPLICIAL;
+    common_.final_ll = 1;
+#else
+    common_.supernodal = CHOLMOD_SUPERNODAL;
+#endif
+  }
+  CholmodSolver(const CholmodSolver&) = delete;
+  CholmodSolver& operator=(const CholmodSolver&) = delete;
+  ~CholmodSolver() override {
+    free_factor();
+    cholmod_free_dense(&x_, &common_);
+    cholmod_free_dense(&y_, &common_);
+    cholmod_free_dense(&e_, &common_);
+    cholmod_finish(&common_);
+  }
+
+  LinearStatus factor(const SparseMatrix& a) override {
+    cholmod_sparse view = sparse_view(a);
+    if (factor_ == nullptr || analysed_ != a.pattern) {
+      free_factor();
+      factor_ = cholmod_analyze(&view, &common_);
+      if (factor_ == nullptr) return LinearStatus::out_of_memory;
+      analysed_ = a.pattern;
+    }
+    cholmod_factorize(&view, factor_, &common_);
+    if (common_.status == CHOLMOD_OUT_OF_MEMORY) return LinearStatus::out_of_memory;
+    const bool definite = common_.status == CHOLMOD_OK && factor_->minor == factor_->n;
+    return definite ? LinearStatus::ok : LinearStatus::not_positive_definite;
+  }
+
+  LinearStatus solve(const VecX& b, VecX& x) override {
+    cholmod_dense rhs{};
+    rhs.nrow = static_cast<std::size_t>(b.size());
+    rhs.ncol = 1;
+    rhs.nzmax = rhs.nrow;
+    rhs.d = rhs.nrow;
+    rhs.x = const_cast<double*>(b.data());
+    rhs.xtype = CHOLMOD_REAL;
+    rhs.dtype = CHOLMOD_DOUBLE;
+    if (!cholmod_solve2(CHOLMOD_A, factor_, &rhs, nullptr, &x_, nullptr, &y_, &e_, &common_))
+      return LinearStatus::out_of_memory;
+    x = Eigen::Map<const VecX>(static_cast<const double*>(x_->x), b.size());
+    return x.allFinite() ? LinearStatus::ok : LinearStatus::not_positive_definite;
+  }
+
+  std::string name() const override {
+#ifdef SLIPSTITCH_NO_SUPERNODAL
+    return "cholmod simplicial";
+#else
+    return "cholmod supernodal";
+#endif
+  }
+
+ private:
+  void free_factor() {
+    if (factor_ != nullptr) cholmod_free_factor(&factor_, &common_);
+  }
+
+  static cholmod_sparse sparse_view(const SparseMatrix& a) {
+    cholmod_sparse view{};
+    view.nrow = view.ncol = static_cast<std::size_t>(a.pattern->n);
+    view.nzmax = a.pattern->row.size();
+    view.p = const_cast<int*>(a.pattern->column_first.data());
+    view.i = const_cast<int*>(a.pattern->row.data());
+    view.x = const_cast<double*>(a.values.data());
+    view.stype = -1;
+    view.itype = CHOLMOD_INT;
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    view.sorted = 1;
+    view.packed = 1;
+    return view;
+  }
+
+  cholmod_common common_{};
+  cholmod_factor* factor_ = nullptr;
+  cholmod_dense *x_ = nullptr, *y_ = nullptr, *e_ = nullptr;  // workspaces kept between solves
+  std::shared_ptr<const SparsePattern> analysed_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_cholmod_solver() {
+  return std::make_unique<CholmodSolver>();
+}
+
+}  // namespace slipstitch

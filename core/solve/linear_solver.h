@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "solve/sparse_pattern.h"
+
+namespace slipstitch {
+
+enum class LinearStatus { ok, not_positive_definite, no_convergence, out_of_memory };
+
+/// Solves A x = b for symmetric positive definite A.
+class LinearSolver {
+ public:
+  virtual ~LinearSolver() = default;
+  /// Keeps the symbolic analysis while the pattern stays the same object.
+  virtual LinearStatus factor(const SparseMatrix& a) = 0;
+  /// With the last successful factorisation.
+  virtual LinearStatus solve(const VecX& b, VecX& x) = 0;
+  virtual std::string name() const = 0;
+};
+
+/// Sparse Cholesky of SuiteSparse's CHOLMOD; its dense kernels use the threads that BLAS was started with.
+std::unique_ptr<LinearSolver> make_cholmod_solver();
+
+}  // namespace slipstitch

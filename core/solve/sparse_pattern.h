@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "math/types.h"
+
+namespace slipstitch {
+
+/// Lower triangle of a symmetric matrix in compressed columns, rows ascending; the diagonal is always present.
+struct SparsePattern {
+  int n = 0;
+  std::vector<int> column_first;  // (n + 1)
+  std::vector<int> row;           // (nonzeros)
+
+  int nonzeros() const { return static_cast<int>(row.size()); }
+  /// Position of entry (r, c), r >= c. The entry must exist.
+  int slot(int r, int c) const;
+};
+
+/// Union of the cliques of the given index lists (each ascending or not, indices in [0, n), negatives skipped).
+std::shared_ptr<const SparsePattern> make_pattern(int n, std::span<const std::vector<int>> cliques);
+
+struct SparseMatrix {
+  std::shared_ptr<const SparsePattern> pattern;
+  std::vector<double> values;  // (nonzeros)
+};
+
+/// y = A x with the full symmetric A.
+void multiply(const SparseMatrix& a, const VecX& x, VecX& y);
+
+}  // namespace slipstitch
