@@ -20,7 +20,7 @@ run_dir: CORE scene_io formats platform
 jobs: CORE scene_io formats run_dir platform
 grpc: CORE scene_io formats run_dir platform jobs proto stubs
 rest: CORE scene_io formats run_dir platform jobs proto
-worker: CORE scene_io formats run_dir platform proto
+worker: CORE scene_io formats run_dir platform jobs proto
 server: CORE scene_io formats run_dir platform jobs grpc rest worker proto stubs
 cli: CORE scene_io formats run_dir platform grpc proto stubs
 TABLE

@@ -42,6 +42,14 @@ while read -r file; do
   [[ ${file##*/} =~ ^[a-z0-9_]+\.(h|cpp)$ ]] || { echo "$file: a file name is snake_case"; failed=1; }
 done < <(files '*.h' '*.cpp')
 
+# So every header with a source of its own is compiled alone; CMakeLists.txt here compiles the rest of the core's.
+while read -r file; do
+  header=${file%.cpp}.h
+  [[ -e $header ]] || continue
+  include=$(grep -m 1 '^#include' "$file" || true)
+  [[ $include == "#include \"${header#*/}\"" ]] || { echo "$file: its own header comes first"; failed=1; }
+done < <(files '*.cpp' | grep -E '^(core|service|clients)/')
+
 while read -r file; do
   lines=$(wc -l <"$file")
   ((lines <= 800)) || { echo "$file: $lines lines; 800 is the limit"; failed=1; }
