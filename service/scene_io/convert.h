@@ -13,8 +13,9 @@ namespace slipstitch {
 /// The only translation between protobuf and the core.
 
 /// Absent fields take the core's defaults. What a message can say but the core's types cannot hold (vectors of a wrong
-/// length, unknown enum values, a missing choice, a bad pattern) is appended to issues. Ranges are check()'s business.
-Scene scene_from_message(const v1::Scene& message, Issues& issues);
+/// length, unknown enum values, a missing choice, a bad pattern) is appended to issues. Ranges are check()'s business;
+/// the limits only keep a small message from asking for a huge pattern.
+Scene scene_from_message(const v1::Scene& message, Issues& issues, const SceneLimits& limits = {});
 
 /// Every field is written out, patterns as charts: equal scenes give equal messages.
 v1::Scene message_from_scene(const Scene& scene);
