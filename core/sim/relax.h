@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "model/knit_repeat.h"
+#include "solve/newton.h"
+
+namespace slipstitch {
+
+struct RelaxedRepeat {
+  RestCell cell;       // of the last iterate, whether or not it converged
+  NewtonReport newton;
+  double residual_n = 0.0;  // max |gradient| [N]
+};
+
+/// The rest shape of an endless knit: one repeat, from the drawn loops, by Newton's method to a force residual of
+/// `relative_tolerance` EI/L^2 (L the contact's rest length). Unknowns: the repeat's nodes and the period vectors
+/// (a_x, 0, 0), (b_x, b_y, 0). Arc lengths are held as drawn: friction keeps the proportions of a knit's loops, and
+/// yarn free to slide would empty its legs or heads down to contact between neighbouring contacts. Gravity, inertia
+/// and damping stay out.
+RelaxedRepeat relax_repeat(const Pattern& pattern, const Gauge& gauge, const YarnMaterial& yarn, const Effects& effects,
+                           double relative_tolerance = 1e-7);
+
+}  // namespace slipstitch
