@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "run_dir/export_run.h"
+
+#include "formats/frame_exporter.h"
+#include "run_dir/frame_log.h"
+
+namespace slipstitch {
+namespace {
+
+using Report = Result<ExportReport>;
+
+std::string export_frames(const FrameLogReader& log, FrameExporter& exporter, const ExportOptions& options) {
+  const Result<Frame> reference = log.read_frame(0);
+  if (!reference) return reference.error;
+  if (std::string error = exporter.begin(*log.header(), *reference); !error.empty()) return error;
+  for (std::int64_t index = options.first; index < log.num_frames(); index += options.stride) {
+    if (options.should_stop && options.should_stop()) return {};
+    const Result<Frame> frame = log.read_frame(static_cast<int>(index));
+    if (!frame) return frame.error;
+    if (std::string error = exporter.add(*frame); !error.empty()) return error;
+  }
+  return {};
+}
+
+}  // namespace
+
+Report export_run(const RunDir& run, const std::filesystem::path& folder, const Format& format,
+                  const ExportOptions& options) {
+  if (options.first < 0 || options.stride < 1) return Report::failed("first must be >= 0 and stride >= 1");
+  FrameLogReader log(run.frames());
+  const LogState state = log.poll();
+  if (log.num_frames() == 0) {
+    return Report::failed(state == LogState::corrupt ? log.reason() : run.path.string() + " has no frames yet");
+  }
+  if (options.first >= log.num_frames()) {
+    return Report::failed("there is no frame " + std::to_string(options.first) + ", " +
+                          std::to_string(log.num_frames()) + " so far");
+  }
+  FrameExporter exporter(folder, format);
+  if (std::string error = exporter.open(options.force); !error.empty()) return Report::failed(error);
+  std::string error = export_frames(log, exporter, options);
+  const std::string finish_error = exporter.finish();
+  if (error.empty()) error = finish_error;
+  if (error.empty() && state == LogState::corrupt) error = log.reason();
+  if (!error.empty()) return Report::failed(error);
+  return Report::of({static_cast<int>(exporter.files().size()), state == LogState::ended});
+}
+
+}  // namespace slipstitch
