@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "force/wrap_angle.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -9,6 +10,8 @@ namespace {
 
 // Node slots in q: x0, x1, x3, x4.
 constexpr std::array<double, 4> kAxisSign{-1.0, 1.0, 0.0, 0.0};  // de/dx_j = sign_j (I - ee^T)/l
+
+constexpr double kTiny = 1e-300;  // makes the normal and the angle 0 where a triangle has no area
 
 // One of the two triangles on the axis: area vector v = N n; x_j with dv/dx_j = cross matrix of x_j.
 struct Triangle {
@@ -28,7 +31,7 @@ struct Hinge {
 
 Triangle make_triangle(std::array<int, 3> node, double sign, const Vec3& v, const std::array<Vec3, 3>& x,
                        const Vec3& e) {
-  Triangle t{node, sign, v, v.norm(), x, {}, {}};
+  Triangle t{node, sign, v, std::max(v.norm(), kTiny), x, {}, {}};
   t.n /= t.N;
   for (std::size_t j = 0; j < 3; ++j) {
     t.y[j] = t.n.cross(x[j]);
@@ -40,7 +43,7 @@ Triangle make_triangle(std::array<int, 3> node, double sign, const Vec3& v, cons
 Hinge make_hinge(const Vec<12>& q) {
   const Vec3 x0 = q.segment<3>(0), x1 = q.segment<3>(3), x3 = q.segment<3>(6), x4 = q.segment<3>(9);
   const Vec3 axis = x1 - x0;
-  const double l = axis.norm();
+  const double l = std::max(axis.norm(), kTiny);
   const Vec3 e = axis / l;
   const Vec3 va = (x4 - x1).cross(x0 - x1), vb = (x0 - x1).cross(x3 - x1);
   return {e, l, make_triangle({0, 1, 3}, -1.0, va, {x4 - x1, x0 - x4, axis}, e),
