@@ -8,6 +8,8 @@
 
 namespace slipstitch {
 
+struct RestCell;
+
 /// A group of nodes whose positions follow a script.
 struct ScriptedNodes {
   std::vector<int> nodes;
@@ -26,6 +28,10 @@ struct Model {
   VecX start_q;                   // (num_coords)
   VecX start_v;                   // (num_coords) [m/s]
 };
+
+/// Makes a scene that passed check() concrete. Bare yarns come first in the topology, the knit's yarn last. `rest`: the
+/// repeat to tile; null: the drawn one. A node that several handles select follows the first; guides come last.
+Model compile(const Scene& scene, const RestCell* rest);
 
 /// Per-segment constants, as the force terms need them.
 double rest_length(const Topology& topology, int segment);

@@ -45,12 +45,13 @@ struct BareYarn {
   Vec3 velocity_m_per_s = Vec3::Zero();    // initial, of all points
 };
 
-/// A fixed point in space that a yarn slides over: position held, arc length free.
+/// A fixed point in space that a yarn slides over: position held, arc length free. Not an end of the yarn.
 struct Guide {
   int yarn = 0, point = 0;  // into Scene::yarns
 };
 
 /// Two bare yarns sharing one sliding contact node (no wrapping); point_b takes point_a's position.
+/// Inner points of two different yarns, each in one crossing at most.
 struct Crossing {
   int yarn_a = 0, point_a = 0, yarn_b = 0, point_b = 0;
 };
@@ -60,7 +61,8 @@ enum class Edge { bottom, top, left, right };
 struct StitchRange {  // inclusive, 1-based
   int first_course = 1, last_course = 1, first_wale = 1, last_wale = 1;
 };
-struct YarnPoint {  // point of a bare yarn, or visit of the knit's yarn; negative counts from the end
+struct YarnPoint {  // point of Scene::yarns[yarn], or visit of the knit's yarn, which counts as one more yarn behind
+                    // them (the only one, yarn 0, where there are none); negative points count from the end
   int yarn = 0, point = 0;
 };
 struct AllNodes {};
