@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "model/check_parts.h"
+
+namespace slipstitch {
+namespace {
+
+void check_prerequisites(const Effects& effects, Checker& check) {
+  const auto needs = [&](bool listed, const char* effect, bool present, const char* needed) {
+    if (listed && !present) {
+      check.fail(std::string("effects.") + effect, "listed", std::string("effects.") + needed + " listed too");
+    }
+  };
+  const bool sliding = effects.sliding.has_value();
+  needs(effects.sliding_friction.has_value(), "sliding_friction", sliding, "sliding");
+  needs(effects.contact_length.has_value(), "contact_length", sliding, "sliding");
+  needs(effects.parallel_contact.has_value(), "parallel_contact", sliding, "sliding");
+  needs(effects.bending_jamming.has_value(), "bending_jamming", effects.bending.has_value(), "bending");
+}
+
+void check_wrapping(const WrappingEffect& wrapping, Checker& check) {
+  check.not_negative("effects.wrapping.alpha", wrapping.alpha);
+  if (wrapping.stiffness_n) check.not_negative("effects.wrapping.stiffness_n", *wrapping.stiffness_n);
+  const double angle = wrapping.rest_angle_rad;
+  check.require(angle >= 0.0 && angle < kPi, "effects.wrapping.rest_angle_rad", angle, "in [0, pi)");
+}
+
+void check_friction(const SlidingFrictionEffect& friction, Checker& check) {
+  const std::string path = "effects.sliding_friction.";
+  check.not_negative(path + "coefficient", friction.coefficient);
+  check.positive(path + "stick_stiffness_n_per_m", friction.stick_stiffness_n_per_m);
+  if (friction.normal_force_n) check.not_negative(path + "normal_force_n", *friction.normal_force_n);
+}
+
+void check_damping(const DampingEffect& damping, Checker& check) {
+  const std::string path = "effects.damping.";
+  check.not_negative(path + "stretch_ns", damping.stretch_ns);
+  check.not_negative(path + "bending_nm2s", damping.bending_nm2s);
+  check.not_negative(path + "wrapping_ns", damping.wrapping_ns);
+  check.not_negative(path + "sliding_ns_per_m", damping.sliding_ns_per_m);
+}
+
+}  // namespace
+
+void check_effects(const Effects& effects, Checker& check) {
+  if (effects.inertia) {
+    check.not_negative("effects.inertia.sliding_mass_fraction", effects.inertia->sliding_mass_fraction);
+  }
+  if (effects.gravity) check.finite("effects.gravity.acceleration_m_per_s2", effects.gravity->acceleration_m_per_s2);
+  if (const auto& jamming = effects.bending_jamming) {
+    const std::string path = "effects.bending_jamming.";
+    check.require(jamming->max_factor >= 1.0, path + "max_factor", jamming->max_factor, "a finite number >= 1");
+    check.require(jamming->full_at > 1.0, path + "full_at", jamming->full_at, "a finite number > 1");
+  }
+  if (effects.wrapping) check_wrapping(*effects.wrapping, check);
+  if (effects.contact_length && effects.contact_length->stiffness_n) {
+    check.positive("effects.contact_length.stiffness_n", *effects.contact_length->stiffness_n);
+  }
+  if (const auto& parallel = effects.parallel_contact) {
+    const std::string path = "effects.parallel_contact.";
+    if (parallel->stiffness_n_per_m2) check.positive(path + "stiffness_n_per_m2", *parallel->stiffness_n_per_m2);
+    const double ratio = parallel->rest_ratio;
+    check.require(ratio > 0.0 && ratio <= 1.0, path + "rest_ratio", ratio, "in (0, 1]");
+  }
+  if (effects.sliding_friction) check_friction(*effects.sliding_friction, check);
+  if (effects.damping) check_damping(*effects.damping, check);
+  check_prerequisites(effects, check);
+}
+
+}  // namespace slipstitch

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "model/check_parts.h"
+
+namespace slipstitch {
+namespace {
+
+void check_material(const YarnMaterial& yarn, Checker& check) {
+  check.positive("yarn.radius_m", yarn.radius_m);
+  check.positive("yarn.linear_density_kg_per_m", yarn.linear_density_kg_per_m);
+  check.positive("yarn.stretch_n", yarn.stretch_n);
+  check.positive("yarn.bending_nm2", yarn.bending_nm2);
+}
+
+void check_time(const Scene& scene, const SceneLimits& limits, Checker& check) {
+  check.not_negative("duration_s", scene.duration_s);
+  check.positive("frames_per_s", scene.frames_per_s);
+  const double frames = scene.duration_s * scene.frames_per_s + 1.0;
+  if (scene.duration_s > 0.0 && scene.frames_per_s > 0.0 && frames > limits.max_frames) {
+    check.too_big("frames_per_s", number_text(std::floor(frames)) + " frames",
+                  "at most " + std::to_string(limits.max_frames) + " frames");
+  }
+}
+
+}  // namespace
+
+void check_numerics(const Scene& scene, Checker& check) {
+  if (const auto* accuracy = std::get_if<AccuracyNumerics>(&scene.numerics)) {
+    check.fail("accuracy", number_text(accuracy->tolerance_m), "fixed; accuracy is not supported yet");
+    return;
+  }
+  const auto& fixed = std::get<FixedNumerics>(scene.numerics);
+  check.positive("fixed.time_step_s", fixed.time_step_s);
+  check.positive("fixed.velocity_tolerance_m_per_s", fixed.velocity_tolerance_m_per_s);
+  check.positive("fixed.force_tolerance_n", fixed.force_tolerance_n);
+  check.positive("fixed.smallest_step_s", fixed.smallest_step_s);
+  if (fixed.max_newton_iterations < 1) {
+    check.fail("fixed.max_newton_iterations", std::to_string(fixed.max_newton_iterations), "at least 1");
+  }
+}
+
+Issues check(const Scene& scene, const SceneLimits& limits) {
+  Issues issues;
+  Checker checker(issues);
+  if (!scene.knit && scene.yarns.empty()) checker.fail("", "neither a knit nor yarns", "a knit, or at least one yarn");
+  if (scene.knit) check_knit(*scene.knit, limits, checker);
+  check_yarns(scene, limits, checker);
+  check_material(scene.yarn, checker);
+  check_effects(scene.effects, checker);
+  const bool too_big = std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.too_big; });
+  if (!too_big) check_actions(scene, checker);  // counts of a scene over its limits could overflow
+  check_time(scene, limits, checker);
+  check_numerics(scene, checker);
+  return issues;
+}
+
+}  // namespace slipstitch
