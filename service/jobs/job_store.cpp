@@ -37,6 +37,12 @@ Issues check_request(const NewJob& request) {
   return issues;
 }
 
+Error invalid_fields(Issues issues) {
+  Error error = error_from_issues(std::move(issues));
+  error.reason = "INVALID_FIELD";
+  return error;
+}
+
 Error queue_full(int queue) {
   Error error{ErrorCode::resource_exhausted,
               "QUEUE_FULL",
@@ -52,6 +58,10 @@ char list_name(const std::optional<JobState>& state) {
 }
 
 }  // namespace
+
+std::string page_token_after(const std::string& id, const ListQuery& query) {
+  return encode_page_token({id, list_name(query.state)});
+}
 
 JobStore::JobStore(DataDir data, StoreOptions options, std::unique_ptr<Executor> executor,
                    std::vector<std::string>& warnings)
@@ -81,12 +91,20 @@ int JobStore::count(JobState state) const {
       std::count_if(jobs_.begin(), jobs_.end(), [state](const auto& entry) { return entry.second.job.state == state; }));
 }
 
+JobInfo JobStore::info_of(const NewJob& request) const {
+  const int threads = request.threads > 0 ? request.threads : options_.default_threads;
+  return {"", request.request_id, request.spec_hash(threads), threads, options_.blas, "", request.scene_name};
+}
+
+Outcome<Job> JobStore::validate(const NewJob& request) const {
+  if (Issues issues = check_request(request); !issues.empty()) return invalid_fields(std::move(issues));
+  Job job;
+  job.info = info_of(request);
+  return job;
+}
+
 Outcome<Job> JobStore::create(const NewJob& request) {
-  if (Issues issues = check_request(request); !issues.empty()) {
-    Error error = error_from_issues(std::move(issues));
-    error.reason = "INVALID_FIELD";
-    return error;
-  }
+  if (Issues issues = check_request(request); !issues.empty()) return invalid_fields(std::move(issues));
   const std::lock_guard lock(mutex_);
   Outcome<Job> created = create_locked(request);
   new_work_ = true;
@@ -105,9 +123,9 @@ Outcome<Job> JobStore::create_locked(const NewJob& request) {
   JobRecord record;
   record.job.id = ids_.next();
   record.dir = data_.job(record.job.id);
-  const int threads = request.threads > 0 ? request.threads : options_.default_threads;
-  record.job.info = {"simJobs/" + record.job.id, request.request_id, request.spec_hash(threads), threads,
-                     options_.blas, utc_now(), request.scene_name};
+  record.job.info = info_of(request);
+  record.job.info.name = "simJobs/" + record.job.id;
+  record.job.info.create_time = utc_now();
   record.job.revision = ++revision_;
   const IoError error = data_.create_job(record.job.id, record.job.info, request.scene_json);
   if (!error.empty()) return storage_failed(error);
@@ -158,7 +176,7 @@ Outcome<JobPage> JobStore::list(const ListQuery& query) const {
     const Job& job = next->second.job;
     if (query.state && job.state != *query.state) continue;
     if (static_cast<int>(page.jobs.size()) == size) {
-      page.next_page_token = encode_page_token({page.jobs.back().id, list_name(query.state)});
+      page.next_page_token = page_token_after(page.jobs.back().id, query);
       break;
     }
     page.jobs.push_back(job);

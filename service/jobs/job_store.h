@@ -43,6 +43,9 @@ struct JobPage {
   std::string next_page_token;  // empty: that was the end
 };
 
+/// Continues the list of `query` behind a job of it.
+std::string page_token_after(const std::string& id, const ListQuery& query);
+
 /// All jobs of a data directory, and the thread that runs them. Every method may be called from any thread; results are
 /// copies. Errors are those of proto/slipstitch/v1/job.proto.
 class JobStore {
@@ -52,6 +55,8 @@ class JobStore {
   ~JobStore();
 
   Outcome<Job> create(const NewJob& request);
+  /// Checks what create() would of the request itself; the answer has no name and no state of a stored job.
+  Outcome<Job> validate(const NewJob& request) const;
   Outcome<Job> get(const std::string& id) const;
   Outcome<JobPage> list(const ListQuery& query) const;
   Outcome<Job> cancel(const std::string& id);
@@ -78,6 +83,7 @@ class JobStore {
   using Calls = std::vector<std::function<void()>>;
 
   void recover(std::vector<std::string>& warnings);
+  JobInfo info_of(const NewJob& request) const;
   Outcome<Job> create_locked(const NewJob& request);
   Outcome<Job> repeat_of(const JobRecord& existing, const NewJob& request) const;
   Outcome<Job> cancel_locked(const std::string& id);

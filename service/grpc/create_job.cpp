@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "grpc/create_job.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "scene_io/load_scene.h"
+#include "scene_io/message_json.h"
+#include "scene_io/read_message.h"
+#include "scene_io/spec_hash.h"
+
+namespace slipstitch {
+namespace {
+
+// Besides the scene, whose paths start at the scene itself.
+void check_spec(const v1::CreateSimJobRequest& request, Issues& issues) {
+  if (!request.has_spec()) {
+    issues.push_back({"spec", "missing", "a SimJobSpec"});
+    return;
+  }
+  if (!request.spec().has_scene()) issues.push_back({"spec.scene", "missing", "a Scene"});
+  if (request.spec().work_case() == v1::SimJobSpec::WORK_NOT_SET) {
+    issues.push_back({"spec.work", "missing", "exactly one kind of work: simulate"});
+  }
+}
+
+jobs::NewJob new_job(const v1::CreateSimJobRequest& request, v1::Scene scene) {
+  jobs::NewJob job;
+  job.request_id = request.request_id();
+  job.scene_name = scene.name();
+  job.scene_json = json_text(scene);
+  job.threads = static_cast<int>(std::min<std::uint32_t>(request.spec().threads(), std::numeric_limits<int>::max()));
+  v1::SimJobSpec spec = request.spec();
+  *spec.mutable_scene() = std::move(scene);
+  job.spec_hash = [spec = std::move(spec)](int threads) mutable {
+    spec.set_threads(static_cast<std::uint32_t>(threads));
+    return message_hash(spec);
+  };
+  return job;
+}
+
+}  // namespace
+
+jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJobRequest& request) {
+  Issues issues;
+  check_spec(request, issues);
+  LoadResult loaded = Issues();
+  if (request.spec().has_scene()) loaded = load_scene_message(request.spec().scene());
+  if (const Issues* found = std::get_if<Issues>(&loaded)) issues.insert(issues.end(), found->begin(), found->end());
+  if (!issues.empty()) return jobs::error_from_issues(std::move(issues));
+  const jobs::NewJob job = new_job(request, std::move(std::get<LoadedScene>(loaded).message));
+  return request.validate_only() ? store.validate(job) : store.create(job);
+}
+
+jobs::Error request_too_big(std::size_t bytes, int max_scene_mib) {
+  return {jobs::ErrorCode::resource_exhausted,
+          "SCENE_TOO_BIG",
+          "the scene has " + std::to_string(bytes) + " bytes, more than the " + std::to_string(max_scene_mib) +
+              " MiB this server takes (--max-scene-mib)",
+          {{"limit", std::to_string(max_scene_mib)}, {"flag", "--max-scene-mib"}},
+          {},
+          {}};
+}
+
+}  // namespace slipstitch

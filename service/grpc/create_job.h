@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "jobs/job_store.h"
+#include "slipstitch/v1/job.pb.h"
+
+namespace slipstitch {
+
+/// Checks the spec, all problems at once, then stores the job or, with validate_only, answers with one without a name.
+jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJobRequest& request);
+
+/// Of a request of `bytes` that is above the limit.
+jobs::Error request_too_big(std::size_t bytes, int max_scene_mib);
+
+}  // namespace slipstitch

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "server/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+
+#include "jobs/data_dir.h"
+#include "platform/version.h"
+
+namespace slipstitch {
+namespace {
+
+constexpr int kMaxSceneMib = 1024;
+constexpr int kMaxSlots = 1024;
+constexpr int kMaxQueue = 1'000'000;
+
+std::filesystem::path worker_beside_executable() {
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? std::filesystem::path("slipstitch-worker") : self.parent_path() / "slipstitch-worker";
+}
+
+// HOST:PORT, HOST also as [IPv6].
+std::string check_address(const std::string& address) {
+  const std::size_t colon = address.rfind(':');
+  const std::string port = colon == std::string::npos ? "" : address.substr(colon + 1);
+  const bool number = !port.empty() && port.size() <= 5 && port.find_first_not_of("0123456789") == std::string::npos;
+  if (colon == 0 || !number || std::stoi(port) > 65535) return "'" + address + "' is not HOST:PORT";
+  return {};
+}
+
+bool asks_for_http(const std::vector<std::string>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
+    return argument == "--http" || argument.starts_with("--http=");
+  });
+}
+
+void declare(CLI::App& app, ServerOptions& options, std::string& data_dir, std::string& worker) {
+  app.add_option("--grpc", options.grpc_address, "Listen here; port 0 takes any free one")
+      ->capture_default_str()
+      ->check(check_address);
+  app.add_option("--data-dir", data_dir, "Where jobs are kept; one server at a time")->capture_default_str();
+  app.add_option("--slots", options.slots, "Jobs that run at the same time")
+      ->capture_default_str()
+      ->check(CLI::Range(1, kMaxSlots));
+  app.add_option("--queue", options.queue, "Jobs that wait beyond those; more are refused")
+      ->capture_default_str()
+      ->check(CLI::Range(0, kMaxQueue));
+  app.add_option("--max-scene-mib", options.max_scene_mib, "Largest scene taken [MiB]")
+      ->capture_default_str()
+      ->check(CLI::Range(1, kMaxSceneMib));
+  app.add_option("--worker", worker, "The program that runs a job")->capture_default_str();
+  app.add_flag("--stop-jobs", options.stop_jobs, "On SIGTERM or SIGINT end running jobs too; without it they run on");
+}
+
+}  // namespace
+
+ParsedOptions parse_server_options(std::vector<std::string> arguments, const std::string& program) {
+  if (asks_for_http(arguments)) return {{}, program + ": --http is not supported yet; use --grpc\n", 2};
+  ServerOptions options;
+  std::string data_dir = jobs::default_data_dir().string(), worker = worker_beside_executable().string();
+  CLI::App app("Runs knit simulations as jobs and streams their frames over gRPC.", program);
+  declare(app, options, data_dir, worker);
+  app.set_version_flag("--version", version_line("slipstitchd"));
+  std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream text;
+    const bool good = app.exit(error, text, text) == 0;
+    return {{}, text.str(), good ? 0 : 2};
+  }
+  if (data_dir.empty()) return {{}, program + ": neither XDG_STATE_HOME nor HOME is set; give --data-dir\n", 2};
+  options.data_dir = std::filesystem::absolute(data_dir);
+  options.worker = std::filesystem::absolute(worker);
+  return {options, {}, 0};
+}
+
+}  // namespace slipstitch
