@@ -16,6 +16,7 @@ void check_material(const YarnMaterial& yarn, Checker& check) {
 void check_time(const Scene& scene, const SceneLimits& limits, Checker& check) {
   check.not_negative("duration_s", scene.duration_s);
   check.positive("frames_per_s", scene.frames_per_s);
+  if (!std::isfinite(scene.duration_s) || !std::isfinite(scene.frames_per_s)) return;
   const double frames = scene.duration_s * scene.frames_per_s + 1.0;
   if (scene.duration_s > 0.0 && scene.frames_per_s > 0.0 && frames > limits.max_frames) {
     check.too_big("frames_per_s", number_text(std::floor(frames)) + " frames",

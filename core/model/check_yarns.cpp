@@ -66,6 +66,16 @@ void check_guides(const Scene& scene, Checker& check) {
   }
 }
 
+// Point b moves to point a and must not land on its own neighbours.
+void check_landing(const Scene& scene, const Crossing& c, const std::string& path, Checker& check) {
+  const Vec3& place = scene.yarns[static_cast<std::size_t>(c.yarn_a)].points[static_cast<std::size_t>(c.point_a)];
+  const auto& x = scene.yarns[static_cast<std::size_t>(c.yarn_b)].points;
+  const auto b = static_cast<std::size_t>(c.point_b);
+  if ((x[b - 1] - place).isZero(0.0) || (x[b + 1] - place).isZero(0.0)) {
+    check.fail(path + ".point_b", std::to_string(c.point_b), "a point whose neighbours are not where point_a is");
+  }
+}
+
 void check_crossings(const Scene& scene, Checker& check) {
   std::set<std::pair<int, int>> used;
   for (std::size_t i = 0; i < scene.crossings.size(); ++i) {
@@ -75,6 +85,7 @@ void check_crossings(const Scene& scene, Checker& check) {
     const bool b = check_point(scene, path, "_b", c.yarn_b, c.point_b, check);
     if (!a || !b) continue;
     if (c.yarn_a == c.yarn_b) check.fail(path + ".yarn_b", std::to_string(c.yarn_b), "another yarn than yarn_a");
+    check_landing(scene, c, path, check);
     if (!used.insert({c.yarn_a, c.point_a}).second) {
       check.fail(path + ".point_a", std::to_string(c.point_a), "a point in no other crossing");
     }

@@ -28,9 +28,9 @@ TEST(DrawnLoop, TakesTheYarnOfTheMeasuredStitch) {
 TEST(DrawnLoop, YarnsCrossWhereTheNodesAreAndLieTwoRadiiApart) {
   const DrawnLoop loop = demo_loop();
   for (const double sign : {1.0, -1.0}) {
-    const Vec3 o1 = centreline(loop, faces(sign), -loop.leg_t), n1 = above(loop, sign, -kPi + loop.sinker_t - 0.0);
+    const Vec3 o1 = centreline(loop, faces(sign), -loop.leg_t), n1 = above(loop, sign, -kPi + loop.sinker_t);
     const Vec3 o2 = centreline(loop, faces(sign), -loop.sinker_t), n2 = above(loop, sign, -kPi + loop.leg_t);
-    EXPECT_NEAR((o1 - n1).head<2>().norm(), 0.0, 1e-12) << "sinker of the left neighbour, one wale on";
+    EXPECT_NEAR((o1 - n1).head<2>().norm(), 0.0, 1e-12);
     EXPECT_NEAR((o2 - n2).head<2>().norm(), 0.0, 1e-12);
     // Knit: the new loop passes behind the old one at P1 and in front of it at P2.
     EXPECT_NEAR(n1.z() - o1.z(), -sign * 2.0 * kRadius, 1e-12);
@@ -59,8 +59,6 @@ TEST(DrawnLoop, WrapsHaveTheSignOfKindAndSide) {
       EXPECT_GT(sign * side * second, 0.5);
       EXPECT_LT(sign * side * first, 2.5);
       EXPECT_LT(sign * side * second, 2.5);
-      RecordProperty("psi", std::to_string(first) + " " + std::to_string(second));
-      printf("%s %s: psi %+.3f %+.3f\n", sign > 0 ? "knit" : "purl", side > 0 ? "left" : "right", first, second);
     }
   }
 }
