@@ -78,8 +78,8 @@ class TreeBuilder {
 
   bool parse_error(std::size_t position, const std::string& last_token, const nlohmann::detail::exception& error) {
     std::string what = error.what();
-    std::size_t colon = what.find(": ");  // drops "[...] parse error at line L, column C"
-    if (what.find(" at line ") < colon) what = what.substr(colon + 2);
+    what.erase(0, what.find("] ") + 2);  // the library's own name of the error
+    if (what.starts_with("parse error at ")) what.erase(0, what.find(": ") + 2);
     std::size_t offset = std::min(position == 0 ? 0 : position - 1, text_.size());
     report(path(), last_token.substr(0, 60), "valid JSON: " + what, offset);
     return false;
@@ -128,7 +128,7 @@ class TreeBuilder {
   bool open(T&& empty) {
     JsonNode* node = place(std::forward<T>(empty));
     if (levels_.size() == kMaxJsonDepth) {
-      report(path(), "nested deeper than " + std::to_string(kMaxJsonDepth),
+      report(path(1), "nested deeper than " + std::to_string(kMaxJsonDepth),
              "at most " + std::to_string(kMaxJsonDepth) + " levels of objects and arrays", node->offset);
       return false;
     }
@@ -149,13 +149,14 @@ class TreeBuilder {
     levels_.back().drop_value = false;
   }
 
-  /// Of the value being read.
-  std::string path() const {
+  /// Of the value being read, or of the first part of it.
+  std::string path(std::size_t max_levels = kMaxJsonDepth) const {
     std::string text;
-    for (const Level& level : levels_) {
-      if (const auto* array = std::get_if<JsonArray>(&level.node->value)) {
+    for (std::size_t i = 0; i < std::min(levels_.size(), max_levels); ++i) {
+      const JsonNode& node = *levels_[i].node;
+      if (const auto* array = std::get_if<JsonArray>(&node.value)) {
         text += "[" + std::to_string(array->empty() ? 0 : array->size() - 1) + "]";
-      } else if (const auto& object = std::get<JsonObject>(level.node->value); !object.empty()) {
+      } else if (const auto& object = std::get<JsonObject>(node.value); !object.empty()) {
         text += (text.empty() ? "" : ".") + object.back().key;
       }
     }

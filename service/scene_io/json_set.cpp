@@ -87,18 +87,16 @@ JsonNode setting_value(const std::string& text) {
 
 void apply_setting(JsonNode& root, const std::string& setting, Issues& issues) {
   std::size_t equals = setting.find('=');
-  std::string path = setting.substr(0, equals);
-  std::optional<std::vector<Step>> steps = split_path(path);
+  std::optional<std::vector<Step>> steps = split_path(std::string_view(setting).substr(0, equals));
   if (equals == std::string::npos || !steps) {
-    issues.push_back(
-        {path, "the setting \"" + setting + "\"", "PATH=VALUE with a path such as handles[0].where.corner"});
+    issues.push_back({"", "the setting \"" + setting + "\"", "PATH=VALUE with a path such as handles[0].where.corner"});
     return;
   }
   JsonNode* node = &root;
   for (const Step& step : *steps) {
     node = step_into(*node, step);
     if (node == nullptr) {
-      issues.push_back({path, "the setting \"" + setting + "\"",
+      issues.push_back({"", "the setting \"" + setting + "\"",
                         "a path through objects and arrays of the scene; an index may be at most the array's length"});
       return;
     }

@@ -9,7 +9,8 @@
 namespace slipstitch {
 
 /// Applies "a.b[2].c=VALUE" to the document. Missing objects and arrays are made; an index may be at most the array's
-/// length (which appends). VALUE is JSON, or else a string. Appends an issue when the path cannot be followed.
+/// length (which appends). VALUE is JSON, or else a string. A path that cannot be followed is an
+/// issue of the document as a whole.
 void apply_setting(JsonNode& root, const std::string& setting, Issues& issues);
 
 }  // namespace slipstitch

@@ -33,14 +33,6 @@ const JsonNode* child_at(const JsonNode& node, std::string_view step) {
   return nullptr;
 }
 
-std::string shortened(std::string text) {
-  constexpr std::size_t kLongest = 60;
-  if (text.size() <= kLongest) return text;
-  std::size_t cut = kLongest;
-  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;  // keep characters whole
-  return text.substr(0, cut) + "...";
-}
-
 struct ShortText {
   std::string operator()(std::nullptr_t) const { return "null"; }
   std::string operator()(const JsonArray& array) const { return "an array of " + std::to_string(array.size()); }
@@ -71,7 +63,14 @@ const JsonNode& nearest_node(const JsonNode& root, const std::string& path) {
   return *node;
 }
 
-std::string short_text(const JsonNode& node) { return shortened(std::visit(ShortText{}, node.value)); }
+std::string shortened(const std::string& text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  std::size_t cut = longest;
+  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;  // keep characters whole
+  return text.substr(0, cut) + "...";
+}
+
+std::string short_text(const JsonNode& node) { return shortened(std::visit(ShortText{}, node.value), 60); }
 
 TextPlace place_of(std::string_view text, std::size_t offset) {
   if (offset == kNoOffset) return {};

@@ -36,6 +36,9 @@ JsonNode* find_member(JsonObject& object, const std::string& key);
 /// The node at a path such as "handles[0].where"; of a path that goes on below the document, the deepest node there is.
 const JsonNode& nearest_node(const JsonNode& root, const std::string& path);
 
+/// At most `longest` bytes of UTF-8, then "..." if there was more.
+std::string shortened(const std::string& text, std::size_t longest);
+
 /// The value as JSON, shortened to about 60 characters, arrays and objects only by kind.
 std::string short_text(const JsonNode& node);
 

@@ -48,7 +48,10 @@ Issues presentable(Issues issues) {
     issues.resize(kMaxIssues);
     issues.push_back({"", "", "at most " + std::to_string(kMaxIssues) + " problems; the rest is not listed"});
   }
-  for (Issue& issue : issues) issue.value = valid_utf8(issue.value);
+  for (Issue& issue : issues) {
+    issue.path = shortened(issue.path, 200);
+    issue.value = shortened(valid_utf8(issue.value), 200);
+  }
   return issues;
 }
 

@@ -34,10 +34,10 @@ const std::vector<std::string> kPieces{"{",
                                        ".",
                                        "\n"};
 
-/// Damage of one to eight places: bytes changed, cut, doubled or replaced by pieces of JSON.
+/// Damage of one to four places: bytes changed, cut, doubled or replaced by pieces of JSON.
 std::string damaged(std::string text, std::mt19937& random) {
   auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
-  for (std::size_t cuts = 1 + below(8); cuts > 0 && !text.empty(); --cuts) {
+  for (std::size_t cuts = 1 + below(4); cuts > 0 && !text.empty(); --cuts) {
     std::size_t at = below(text.size());
     std::size_t length = std::min(text.size() - at, 1 + below(12));
     switch (below(5)) {

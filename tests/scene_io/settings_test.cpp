@@ -32,7 +32,7 @@ TEST(Settings, ReachIntoArraysAndAppend) {
 
 TEST(Settings, BadOnesAreRefused) {
   const std::vector<std::pair<std::string, std::string>> table{
-      {"duration_s", "duration_s: is the setting \"duration_s\", expected PATH=VALUE"},
+      {"duration_s", "is the setting \"duration_s\", expected PATH=VALUE"},
       {"=3", "is the setting \"=3\", expected PATH=VALUE"},
       {"a..b=3", "expected PATH=VALUE"},
       {"a[x]=3", "expected PATH=VALUE"},
