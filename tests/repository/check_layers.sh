@@ -22,7 +22,7 @@ grpc: CORE scene_io formats run_dir platform jobs proto stubs
 rest: CORE scene_io formats run_dir platform jobs proto
 worker: CORE scene_io formats run_dir platform jobs proto
 server: CORE scene_io formats run_dir platform jobs grpc rest worker proto stubs
-cli: CORE scene_io formats run_dir platform grpc proto stubs
+cli: CORE scene_io formats run_dir platform jobs grpc server proto stubs
 TABLE
 core='math solve model collide force sim study'
 
@@ -31,7 +31,7 @@ read -r -d '' foreign <<'FOREIGN' || true
 ^(grpc|grpcpp)/ grpc server cli
 ^google/protobuf/ scene_io grpc rest worker server cli
 ^nlohmann/ scene_io formats run_dir jobs grpc rest worker server cli
-^(fstream|iostream|filesystem|cstdio|unistd\.h|fcntl\.h)$ platform scene_io formats run_dir jobs grpc rest worker server cli
+^(fstream|iostream|filesystem|unistd\.h|fcntl\.h)$ platform scene_io formats run_dir jobs grpc rest worker server cli
 FOREIGN
 
 find core service clients -name '*.h' -o -name '*.cpp' 2>/dev/null | sort |

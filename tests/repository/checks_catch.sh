@@ -44,7 +44,7 @@ layers 'jobs may not include stubs' service/jobs/a.h '#include "slipstitch/v1/jo
 layers 'jobs may not include grpc' service/jobs/a.h '#include "grpc/status.h"'
 layers 'worker may not include grpc' service/worker/a.cpp '#include "grpc/status.h"'
 layers 'platform may not include sim' service/platform/a.cpp '#include "sim/run.h"'
-layers 'cli may not include jobs' clients/cli/a.cpp '#include "jobs/job.h"'
+layers 'cli may not include worker' clients/cli/a.cpp '#include "worker/run_worker.h"'
 layers 'relative path' core/sim/run.cpp '#include "../math/types.h"'
 layers 'write the folder' core/sim/run.cpp '#include "run.h"'
 layers 'folder extra is not in the table' core/extra/a.cpp '#include <vector>'
