@@ -68,8 +68,8 @@ void GrpcServer::stop(double grace_s) {
   if (!state_->server) return;
   state_->server->GetHealthCheckService()->SetServingStatus(false);
   state_->store.stop();
-  const auto grace = std::chrono::duration_cast<std::chrono::system_clock::duration>(
-      std::chrono::duration<double>(grace_s));
+  const auto grace =
+      std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(grace_s));
   state_->server->Shutdown(std::chrono::system_clock::now() + grace);
   state_->server->Wait();
   state_->server.reset();

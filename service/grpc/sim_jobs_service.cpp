@@ -78,7 +78,8 @@ grpc::ServerUnaryReactor* SimJobsService::CreateSimJob(Context* context, const g
   const jobs::Outcome<jobs::Job> job = create_job(store_, message);
   if (!job) return answer(context, grpc_status(job.error()));
   bool own_buffer = false;
-  return answer(context, grpc::SerializationTraits<v1::SimJob>::Serialize(message_from_job(*job), response, &own_buffer));
+  return answer(context,
+                grpc::SerializationTraits<v1::SimJob>::Serialize(message_from_job(*job), response, &own_buffer));
 }
 
 grpc::ServerUnaryReactor* SimJobsService::GetSimJob(Context* context, const v1::GetSimJobRequest* request,

@@ -8,8 +8,8 @@
 
 namespace slipstitch {
 
-/// The SimJobs service over a store. CreateSimJob is taken as bytes: one that is too big is refused before it is parsed,
-/// with a message that names the flag.
+/// The SimJobs service over a store. CreateSimJob is taken as bytes: one that is too big is refused before it is
+/// parsed, with a message that names the flag.
 class SimJobsService final : public v1::SimJobs::WithRawCallbackMethod_CreateSimJob<v1::SimJobs::CallbackService> {
  public:
   SimJobsService(jobs::JobStore& store, int max_scene_mib, StreamOptions streams)

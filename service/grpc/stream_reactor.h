@@ -89,8 +89,8 @@ class StreamReactor : public grpc::ServerWriteReactor<Message>,
     }
   }
 
-  // StartWrite and Finish under the lock, so that no write follows the end; gRPC answers on another stack. The reference
-  // keeps the lock alive should OnDone come meanwhile.
+  // StartWrite and Finish under the lock, so that no write follows the end; gRPC answers on another stack. The
+  // reference keeps the lock alive should OnDone come meanwhile.
   void send(Message message) {
     const auto keep = this->shared_from_this();
     const std::lock_guard lock(mutex_);

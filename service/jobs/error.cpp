@@ -33,9 +33,12 @@ Error wrong_state(const std::string& id, const std::string& reason, const std::s
 }
 
 Error server_stopping() {
-  return {ErrorCode::unavailable, "SERVER_STOPPING", "the server is stopping; jobs that run go on without it", {}, {}, {}};
+  return {
+      ErrorCode::unavailable, "SERVER_STOPPING", "the server is stopping; jobs that run go on without it", {}, {}, {}};
 }
 
-Error storage_failed(const std::string& message) { return {ErrorCode::internal, "STORAGE_FAILED", message, {}, {}, {}}; }
+Error storage_failed(const std::string& message) {
+  return {ErrorCode::internal, "STORAGE_FAILED", message, {}, {}, {}};
+}
 
 }  // namespace slipstitch::jobs

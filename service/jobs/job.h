@@ -16,7 +16,7 @@ inline bool is_terminal(JobState state) { return state != JobState::queued && st
 
 /// Why a job FAILED.
 struct Failure {
-  std::string reason;   // SIMULATION_FAILED, WORKER_LOST, WORKER_CRASHED or STORAGE_FAILED
+  std::string reason;  // SIMULATION_FAILED, WORKER_LOST, WORKER_CRASHED or STORAGE_FAILED
   std::string message;
   std::vector<std::string> log_tail;  // last lines of the worker's log; empty when the run itself said why
 };
@@ -27,11 +27,11 @@ struct Job {
   JobInfo info;
   JobState state = JobState::queued;
   bool cancel_requested = false;
-  std::uint64_t revision = 0;  // grows with every change, also over restarts of the server
+  std::uint64_t revision = 0;        // grows with every change, also over restarts of the server
   std::string start_time, end_time;  // RFC 3339, UTC; empty: not yet
   std::optional<ProgressInfo> progress;
-  std::optional<Failure> failure;     // exactly when failed
-  std::string summary_json;           // exactly when terminal
+  std::optional<Failure> failure;  // exactly when failed
+  std::string summary_json;        // exactly when terminal
 };
 
 }  // namespace slipstitch::jobs

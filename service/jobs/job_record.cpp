@@ -39,8 +39,8 @@ void take_summary(JobRecord& record) {
   job.summary_json = summary ? *text : std::string();
   job.end_time = file_time(record.dir.summary());
   if (job.state != JobState::failed) return;
-  job.failure = summary ? summary->failure
-                        : Failure{"STORAGE_FAILED", record.dir.summary().string() + " cannot be read", {}};
+  job.failure =
+      summary ? summary->failure : Failure{"STORAGE_FAILED", record.dir.summary().string() + " cannot be read", {}};
 }
 
 void end_with(JobRecord& record, RunStatus status, const Failure& failure) {

@@ -22,7 +22,7 @@ FileStamp stamp_of(const std::filesystem::path& file);
 struct JobRecord {
   Job job;
   RunDir dir;
-  WorkerInfo worker;  // while running
+  WorkerInfo worker;           // while running
   FileStamp progress, frames;  // as last seen
 };
 

@@ -65,7 +65,10 @@ std::string page_token_after(const std::string& id, const ListQuery& query) {
 
 JobStore::JobStore(DataDir data, StoreOptions options, std::unique_ptr<Executor> executor,
                    std::vector<std::string>& warnings)
-    : data_(std::move(data)), options_(std::move(options)), executor_(std::move(executor)), revision_(first_revision()) {
+    : data_(std::move(data)),
+      options_(std::move(options)),
+      executor_(std::move(executor)),
+      revision_(first_revision()) {
   recover(warnings);
   thread_ = std::thread([this] { schedule(); });
 }
@@ -87,8 +90,8 @@ void JobStore::recover(std::vector<std::string>& warnings) {
 }
 
 int JobStore::count(JobState state) const {
-  return static_cast<int>(
-      std::count_if(jobs_.begin(), jobs_.end(), [state](const auto& entry) { return entry.second.job.state == state; }));
+  return static_cast<int>(std::count_if(jobs_.begin(), jobs_.end(),
+                                        [state](const auto& entry) { return entry.second.job.state == state; }));
 }
 
 JobInfo JobStore::info_of(const NewJob& request) const {
@@ -218,7 +221,8 @@ Outcome<Done> JobStore::remove(const std::string& id) {
     const std::lock_guard lock(mutex_);
     const auto found = jobs_.find(id);
     if (found == jobs_.end()) return job_not_found(id);
-    if (!is_terminal(found->second.job.state)) return wrong_state(id, "JOB_NOT_ENDED", "has not ended; cancel it first");
+    if (!is_terminal(found->second.job.state))
+      return wrong_state(id, "JOB_NOT_ENDED", "has not ended; cancel it first");
     if (const IoError error = data_.remove_job(id); !error.empty()) return storage_failed(error);
     by_request_id_.erase(found->second.job.info.request_id);
     jobs_.erase(found);

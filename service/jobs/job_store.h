@@ -27,15 +27,15 @@ struct StoreOptions {
 struct NewJob {
   std::string request_id;  // empty: none
   std::string scene_name;
-  std::string scene_json;  // checked, every default written out
-  int threads = 0;         // 0: default_threads
+  std::string scene_json;                             // checked, every default written out
+  int threads = 0;                                    // 0: default_threads
   std::function<std::string(int threads)> spec_hash;  // of the whole spec with so many threads
 };
 
 struct ListQuery {
-  int page_size = 0;               // 0: 50, above 100: 100
-  std::string page_token;          // empty: first page
-  std::optional<JobState> state;   // only these
+  int page_size = 0;              // 0: 50, above 100: 100
+  std::string page_token;         // empty: first page
+  std::optional<JobState> state;  // only these
 };
 
 struct JobPage {
@@ -63,8 +63,8 @@ class JobStore {
   Outcome<Done> remove(const std::string& id);
   Outcome<RunDir> folder(const std::string& id) const;
 
-  /// Calls `changed` after every change of the job or its frames, from the scheduler's thread or that of a caller, never
-  /// with a lock held. It may still come once while unwatch() returns.
+  /// Calls `changed` after every change of the job or its frames, from the scheduler's thread or that of a caller,
+  /// never with a lock held. It may still come once while unwatch() returns.
   using WatchId = std::uint64_t;
   WatchId watch(const std::string& id, std::function<void()> changed);
   void unwatch(WatchId watch);

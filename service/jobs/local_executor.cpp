@@ -77,8 +77,13 @@ class LocalExecutor : public Executor {
     const int failed = SpawnPlan(worker_log(dir).string())
                            .spawn(pid, program_.string(), {program_.string(), "--job-dir", dir.path.string()},
                                   worker_environment(job));
-    if (failed != 0) return Error{ErrorCode::internal, "WORKER_CRASHED", "cannot start " + program_.string() + ": " + std::strerror(failed),
-                   {}, {}, {}};
+    if (failed != 0)
+      return Error{ErrorCode::internal,
+                   "WORKER_CRASHED",
+                   "cannot start " + program_.string() + ": " + std::strerror(failed),
+                   {},
+                   {},
+                   {}};
     // The child cannot vanish before it is waited for, but it may have ended: then there is nothing to describe.
     WorkerInfo worker = describe_process(pid).value_or(WorkerInfo{pid, 0, current_boot_id(), handle_of(pid)});
     children_[worker.pid] = worker.start_ticks;
@@ -120,7 +125,7 @@ Outcome<std::unique_ptr<Executor>> make_local_executor(const std::filesystem::pa
                  "the worker program " + program.string() + " cannot be executed; give its path with --worker",
                  {},
                  {},
-          {}};
+                 {}};
   }
   return std::unique_ptr<Executor>(std::make_unique<LocalExecutor>(program));
 }

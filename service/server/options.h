@@ -25,8 +25,8 @@ struct ParsedOptions {
   int exit_code = 0;
 };
 
-/// Arguments without the program's name, which is `program` in the help. The worker's default is slipstitch-worker beside
-/// the running executable.
+/// Arguments without the program's name, which is `program` in the help. The worker's default is slipstitch-worker
+/// beside the running executable.
 ParsedOptions parse_server_options(std::vector<std::string> arguments, const std::string& program);
 
 }  // namespace slipstitch

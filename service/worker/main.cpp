@@ -58,6 +58,9 @@ int run_worker(const RunDir& dir) {
     std::cerr << "slipstitch-worker: " << error << "\n";
     return 1;
   }
+  if (const Result<JobInfo> job = read_job(dir); job) {
+    std::cerr << "slipstitch-worker: running " << job->name << " with " << job->threads << " threads" << std::endl;
+  }
   RecorderOptions options;
   options.should_stop = stop_signal_waits;
   const Result<RunSummary> summary = run_job(dir, options);
