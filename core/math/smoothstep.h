@@ -13,7 +13,9 @@ inline Jet2 smoothstep(double x) {
   if (x <= 0.0) return {0.0, 0.0, 0.0};
   if (x >= 1.0) return {1.0, 0.0, 0.0};
   const double y = x * (1.0 - x);
-  return {x * x * x * (x * (6.0 * x - 15.0) + 10.0), 30.0 * y * y, 60.0 * y * (1.0 - 2.0 * x)};
+  const double z = x <= 0.5 ? x : 1.0 - x;  // S(x) = 1 - S(1 - x); the polynomial cancels near 1
+  const double half = z * z * z * (z * (6.0 * z - 15.0) + 10.0);
+  return {x <= 0.5 ? half : 1.0 - half, 30.0 * y * y, 60.0 * y * (1.0 - 2.0 * x)};
 }
 
 }  // namespace slipstitch

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "evaluation.h"
+#include "force/yarn_forces.h"
+#include "math/psd.h"
+#include "sample_models.h"
+
+namespace slipstitch::testing {
+
+template <class Tuple>
+struct AsTypes;
+template <class... T>
+struct AsTypes<std::tuple<T...>> {
+  using Types = ::testing::Types<T...>;
+};
+using Terms = AsTypes<YarnForces>::Types;
+
+struct TermNames {
+  template <class T>
+  static std::string GetName(int) {
+    return std::string(T::kName);
+  }
+};
+
+inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+/// One stencil of a term in one pose.
+struct Sample {
+  VecX q;
+  std::vector<int> coords;
+  Energy energy;
+  std::function<bool(MatX&)> project;  // project_psd at the term's size
+  double step = 0.0;                   // of Pose
+  int order = 0;
+};
+
+/// Every stencil of the term on the clasped yarns, at every sample pose.
+template <class Term>
+void for_each_sample(const std::function<void(const Sample&)>& visit) {
+  constexpr int N = Term::kSize;
+  const Model model = everything_on();
+  std::mt19937_64 random(7);
+  const State start = state_at(model, model.start_q, random);
+  Term term(model);
+  term.begin_step(StepContext{1e-3, start});
+  for (const Pose& pose : sample_poses(model)) {
+    for (int k = 0; k < term.size(); ++k) {
+      const std::array<int, static_cast<std::size_t>(N)> coords = term.coords(k);
+      Sample sample{VecX(N), {coords.begin(), coords.end()}, {}, {}, pose.step, pose.order};
+      for (int i = 0; i < N; ++i) sample.q[i] = pose.q[coords[static_cast<std::size_t>(i)]];
+      sample.energy = with_dynamic_size<N>(
+          [&term, k](const Vec<N>& q, Vec<N>* g, Mat<N>* hess) { return term.eval(k, q, g, hess); });
+      sample.project = [](MatX& m) {
+        Mat<N> fixed = m;
+        const bool changed = project_psd<N>(fixed);
+        m = fixed;
+        return changed;
+      };
+      visit(sample);
+    }
+  }
+}
+
+}  // namespace slipstitch::testing
