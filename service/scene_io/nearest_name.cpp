@@ -40,7 +40,6 @@ std::string nearest_name(std::string_view name, const std::vector<std::string>& 
   std::string best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : known) {
-    if (bare(candidate) == bare(name)) return candidate;
     std::size_t distance = edit_distance(bare(name), bare(candidate));
     if (distance < best_distance) {
       best = candidate;
