@@ -84,9 +84,8 @@ class Decoder {
   void get(std::vector<T>& values) {
     std::uint64_t count = 0;
     get(count);
-    ok_ = ok_ && count <= bytes_.size();  // every element has at least one byte
-    if (!ok_) return;
     values.clear();
+    // Every element takes at least a byte, so a false count ends with the bytes; nothing is reserved on its word.
     for (std::uint64_t i = 0; i < count && ok_; ++i) get(values.emplace_back());
   }
   template <class T>
