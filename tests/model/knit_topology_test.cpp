@@ -7,6 +7,7 @@
 #include <set>
 
 #include "knit_helpers.h"
+#include "model/drawn_loop.h"
 
 namespace slipstitch {
 namespace {
@@ -182,6 +183,9 @@ TEST(KnitTopology, ATailIsOneStitchLongAndMassAStitchIsTheYarns) {
 TEST(KnitTopology, PlacementTurnsTheFabric) {
   Knit knit = test::stockinette(3, 3);
   const PlacedTopology plain = test::build_drawn(knit);
+  const double right_side = draw_loop(2.9e-3, 2.03e-3, 0.524e-3).z;  // knit clasps lie this much to the front
+  EXPECT_GT(right_side, 0.0);
+  EXPECT_NEAR(test::position(plain, 0).z(), right_side, 1e-15) << "right side towards +z";
   knit.placement = {{1.0, 2.0, 3.0}, {0.0, 0.0, 2.0}, {0.0, 5.0, 1.0}};
   const PlacedTopology placed = test::build_drawn(knit);
   for (int n = 0; n < plain.topology.num_nodes; ++n) {
