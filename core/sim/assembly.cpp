@@ -5,8 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "math/psd.h"
-
 namespace slipstitch {
 namespace {
 
@@ -81,7 +79,7 @@ void Assembly::scatter_general(const Term& term, int k, const Vec<Term::kSize>& 
 }
 
 template <class Term>
-void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, HessianMode mode, VecX& g,
+void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, VecX& g,
                    SparseMatrix& h, double& energy) {
   constexpr int kSize = Term::kSize;
   Vec<kSize> ql, gl;
@@ -94,7 +92,6 @@ void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, He
     const double e = term.eval(k, ql, &gl, &hl);
     energy += e;
     scale_ += std::abs(e);
-    if (mode == HessianMode::projected) project_psd<kSize>(hl);
     if (!map_.simple) {
       scatter_general(term, k, gl, hl, g, h);
       continue;
@@ -108,7 +105,7 @@ void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, He
   }
 }
 
-double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h) {
+double Assembly::derivatives(const YarnForces& forces, const VecX& q, VecX& g, SparseMatrix& h) {
   g.setZero(map_.num_dofs);
   h.pattern = pattern_;
   h.values.assign(pattern_->row.size(), 0.0);
@@ -116,7 +113,7 @@ double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMod
   energies_.fill(0.0);
   for_each_term(forces, [&](const auto& term, int i) {
     const auto t = static_cast<std::size_t>(i);
-    add(term, stencils_[t], q, mode, g, h, energies_[t]);
+    add(term, stencils_[t], q, g, h, energies_[t]);
   });
   double sum = 0.0;
   for (double e : energies_) sum += e;

@@ -1,2 +1,178 @@
 // SPDX-License-Identifier: MIT
 #include "sim/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "sim/monitor.h"
+#include "sim/prepare.h"
+#include "sim/simulation.h"
+
+namespace slipstitch {
+namespace {
+
+class Run {
+ public:
+  Run(const Scene& scene, const FixedNumerics& numerics, int threads, const RunHooks& hooks)
+      : scene_(scene), numerics_(numerics), hooks_(hooks), start_(std::chrono::steady_clock::now()) {
+    summary_.scene = scene.name;
+    summary_.threads = threads;
+  }
+
+  RunSummary go() {
+    Prepared prepared = prepare(scene_);
+    if (prepared.failure) return finish(RunStatus::failed, *prepared.failure);
+    Simulation sim(std::move(prepared.model));
+    Monitor monitor(sim);
+    describe(sim);
+    begin(sim);
+    const RunStatus status = march(sim, monitor);
+    monitor.report(sim, summary_);
+    summary_.energy_j = sim.energies();
+    summary_.wall_by_phase_s = sim.wall_by_phase_s();
+    summary_.linear_iterations = sim.linear_solves();
+    summary_.state_hash = state_hash(sim.state().q);
+    summary_.sim_time_s = sim.state().t;
+    return finish(status, summary_.message);
+  }
+
+ private:
+  double wall() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+  RunSummary finish(RunStatus status, const std::string& message) {
+    summary_.status = status;
+    summary_.message = message;
+    summary_.wall_s = wall();
+    return summary_;
+  }
+
+  void describe(const Simulation& sim) {
+    const Topology& topo = sim.model().topology;
+    summary_.loops = static_cast<int>(topo.stitches.size());
+    summary_.nodes = topo.num_nodes;
+    summary_.dofs = sim.num_dofs();
+    summary_.effects = effect_names(scene_.effects);
+    summary_.linear_solver = sim.solver_name();
+    summary_.residual_unit = sim.quasi_static() ? "N" : "m/s";
+    num_frames_ = planned_frames(scene_.duration_s, scene_.frames_per_s);
+  }
+
+  void begin(const Simulation& sim) {
+    if (hooks_.on_header) hooks_.on_header({sim.model().topology, sim.model().yarn, scene_.frames_per_s, num_frames_});
+    emit(sim);
+  }
+
+  void emit(const Simulation& sim) {
+    if (hooks_.on_frame) hooks_.on_frame({summary_.frames, sim.state().t, sim.state().q});
+    ++summary_.frames;
+  }
+
+  void progress(const Simulation& sim, double h, double residual) const {
+    if (!hooks_.on_progress) return;
+    Progress p;
+    p.t = sim.state().t;
+    p.duration_s = scene_.duration_s;
+    p.frames = summary_.frames;
+    p.num_frames = num_frames_;
+    p.steps = summary_.steps;
+    p.newton_iterations = summary_.newton_iterations;
+    p.step_s = h;
+    p.residual = residual;
+    p.wall_s = wall();
+    hooks_.on_progress(p);
+  }
+
+  RunStatus march(Simulation& sim, Monitor& monitor) {
+    for (int frame = 1; frame < num_frames_; ++frame) {
+      const RunStatus status = advance_to(sim, monitor, frame / scene_.frames_per_s);
+      if (status != RunStatus::succeeded) return status;
+      emit(sim);
+      progress(sim, step_, last_residual_);
+    }
+    return RunStatus::succeeded;
+  }
+
+  /// Equal steps of at most the asked size up to time `end`; a step that does not converge is halved, and the size
+  /// grows back by one doubling an accepted step.
+  RunStatus advance_to(Simulation& sim, Monitor& monitor, double end) {
+    const double frame = 1.0 / scene_.frames_per_s;
+    const double largest = frame / std::ceil(frame / numerics_.time_step_s - 1e-9);
+    if (step_ == 0.0) step_ = largest;
+    while (end - sim.state().t > 1e-9 * frame) {
+      const double remaining = end - sim.state().t;
+      const double h = remaining / std::ceil(remaining / std::min(step_, largest) - 1e-6);
+      const StepReport report = sim.step(h, numerics_, hooks_.should_stop);
+      summary_.newton_iterations += report.newton.iterations;
+      summary_.factorizations += report.newton.factorizations;
+      summary_.shifted_hessians += report.newton.shifted_hessians;
+      if (report.newton.status == NewtonStatus::cancelled) return RunStatus::cancelled;
+      if (!report.accepted) {
+        ++summary_.rejected_steps;
+        step_ = 0.5 * h;
+        if (step_ >= numerics_.smallest_step_s) continue;
+        summary_.message = "no step above " + std::to_string(numerics_.smallest_step_s) + " s converges at t = " +
+                           std::to_string(sim.state().t) + " s: " + std::string(to_string(report.newton.status));
+        return RunStatus::failed;
+      }
+      ++summary_.steps;
+      last_residual_ = report.residual;
+      step_ = std::min(largest, 2.0 * step_);
+      if (const auto stop = monitor.observe(sim, report.residual)) {
+        summary_.message = *stop;
+        return RunStatus::failed;
+      }
+      progress(sim, h, report.residual);
+      if (hooks_.should_stop && hooks_.should_stop()) return RunStatus::cancelled;
+    }
+    return RunStatus::succeeded;
+  }
+
+  const Scene& scene_;
+  const FixedNumerics& numerics_;
+  const RunHooks& hooks_;
+  std::chrono::steady_clock::time_point start_;
+  RunSummary summary_;
+  int num_frames_ = 0;
+  double step_ = 0.0, last_residual_ = 0.0;  // step: size asked of the next step [s]
+};
+
+}  // namespace
+
+int planned_frames(double duration_s, double frames_per_s) {
+  return 1 + static_cast<int>(std::floor(duration_s * frames_per_s + 1e-9));
+}
+
+std::vector<std::string> effect_names(const Effects& effects) {
+  std::vector<std::string> names;
+  const auto add = [&](const auto& effect, const char* name) {
+    if (effect) names.emplace_back(name);
+  };
+  add(effects.inertia, "inertia");
+  add(effects.gravity, "gravity");
+  add(effects.stretch, "stretch");
+  add(effects.bending, "bending");
+  add(effects.bending_jamming, "bending_jamming");
+  add(effects.wrapping, "wrapping");
+  add(effects.contact_length, "contact_length");
+  add(effects.parallel_contact, "parallel_contact");
+  add(effects.sliding, "sliding");
+  add(effects.sliding_friction, "sliding_friction");
+  add(effects.damping, "damping");
+  return names;
+}
+
+RunSummary run(const Scene& scene, int threads, const RunHooks& hooks) {
+  const auto* numerics = std::get_if<FixedNumerics>(&scene.numerics);
+  if (numerics == nullptr) {
+    RunSummary summary;
+    summary.scene = scene.name;
+    summary.message = "accuracy numerics are not supported yet";
+    return summary;
+  }
+  return Run(scene, *numerics, threads, hooks).go();
+}
+
+}  // namespace slipstitch

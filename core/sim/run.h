@@ -40,7 +40,7 @@ struct RunSummary {
   double sim_time_s = 0.0, wall_s = 0.0;
   int frames = 0;
   long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0, factorizations = 0;
-  long projected_hessians = 0;               // factorisations that needed projected blocks
+  long shifted_hessians = 0;                 // factorisations of an indefinite Hessian made definite by a shift
   std::map<std::string, double> wall_by_phase_s;
   std::map<std::string, double> energy_j;    // by term at the end; "kinetic" included
   double residual = 0.0;                     // largest over the accepted steps
@@ -60,6 +60,9 @@ struct RunSummary {
 
 /// Number of frames of a run: frame k is at t = k / frames_per_s, the last one at or before the duration.
 int planned_frames(double duration_s, double frames_per_s);
+
+/// Names of the engaged effects, in the schema's spelling.
+std::vector<std::string> effect_names(const Effects& effects);
 
 /// Runs a checked scene. Never throws for numerical trouble: that is a status with a message.
 RunSummary run(const Scene& scene, int threads, const RunHooks& hooks);

@@ -9,16 +9,16 @@ namespace {
 constexpr double kArmijo = 1e-4;
 constexpr int kMaxBacktracks = 40;
 constexpr int kMaxFlatIterations = 12;  // iterations without visible decrease before the search counts as stalled
-constexpr int kRetryExactAfter = 3;     // projected iterations before the exact Hessian is tried again
-constexpr double kFirstShift = 1e-10;   // of the mean diagonal; grows by kShiftGrowth until the matrix is definite
-constexpr double kShiftGrowth = 100.0;
-constexpr double kLargestShift = 1.0;
+constexpr double kFirstShift = 1e-8;    // of the mean diagonal
+constexpr double kShiftGrowth = 8.0;    // after a failed factorisation
+constexpr double kShiftDecay = 4.0;     // after a definite one
+constexpr double kLargestShift = 10.0;
 
 struct Workspace {
   VecX gradient, step, trial;
   SparseMatrix hessian;
   double value = 0.0;
-  int projected_left = 0;
+  double shift = 0.0;  // on the diagonal, in units of its mean
 };
 
 double mean_diagonal(const SparseMatrix& h) {
@@ -33,41 +33,29 @@ void add_to_diagonal(SparseMatrix& h, double shift) {
     h.values[static_cast<std::size_t>(h.pattern->column_first[static_cast<std::size_t>(c)])] += shift;
 }
 
-LinearStatus factor_shifted(LinearSolver& solver, SparseMatrix& h, NewtonReport& report) {
-  const double mean = mean_diagonal(h);
+/// Factors the Hessian plus the smallest tried shift that makes it definite. An indefinite Hessian is the normal case
+/// here (flat stockinette is unstable against curling), but its negative curvatures are small and few: a shift of
+/// that size keeps all other directions exact, where clamping every element would stiffen them all.
+LinearStatus factor_definite(LinearSolver& solver, Workspace& w, double least_shift, NewtonReport& report) {
+  const double mean = mean_diagonal(w.hessian);
   double added = 0.0;
-  for (double shift = kFirstShift; shift <= kLargestShift; shift *= kShiftGrowth) {
-    add_to_diagonal(h, shift * mean - added);
-    added = shift * mean;
+  for (w.shift = std::max(w.shift < kFirstShift ? 0.0 : w.shift, least_shift);; ) {
+    add_to_diagonal(w.hessian, w.shift * mean - added);
+    added = w.shift * mean;
     ++report.factorizations;
-    const LinearStatus status = solver.factor(h);
-    if (status != LinearStatus::not_positive_definite) return status;
+    const LinearStatus status = solver.factor(w.hessian);
+    if (w.shift > least_shift) ++report.shifted_hessians;
+    if (status != LinearStatus::not_positive_definite || w.shift >= kLargestShift) return status;
+    w.shift = std::max(kFirstShift, kShiftGrowth * w.shift);
   }
-  return LinearStatus::not_positive_definite;
 }
 
-void evaluate(Objective& objective, const VecX& x, Workspace& w, const NewtonOptions& options) {
-  const HessianMode mode = w.projected_left > 0 ? HessianMode::projected : HessianMode::exact;
-  w.value = objective.derivatives(x, mode, w.gradient, w.hessian);
-  if (options.relative_shift > 0.0) add_to_diagonal(w.hessian, options.relative_shift * mean_diagonal(w.hessian));
-}
-
-/// Newton direction from the evaluated derivatives; falls back to the projected, then to a shifted Hessian.
-LinearStatus direction(Objective& objective, LinearSolver& solver, const VecX& x, Workspace& w, NewtonReport& report) {
-  ++report.factorizations;
-  LinearStatus status = solver.factor(w.hessian);
-  if (status == LinearStatus::not_positive_definite) {
-    w.projected_left = kRetryExactAfter;
-    w.value = objective.derivatives(x, HessianMode::projected, w.gradient, w.hessian);
-    status = factor_shifted(solver, w.hessian, report);
-  }
-  if (w.projected_left > 0) {
-    --w.projected_left;
-    ++report.projected_hessians;
-  }
+LinearStatus direction(LinearSolver& solver, Workspace& w, double least_shift, NewtonReport& report) {
+  LinearStatus status = factor_definite(solver, w, least_shift, report);
   if (status != LinearStatus::ok) return status;
   status = solver.solve(w.gradient, w.step);
   w.step = -w.step;
+  w.shift /= kShiftDecay;
   return status;
 }
 
@@ -116,21 +104,18 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
   };
   for (; report.iterations < options.max_iterations; ++report.iterations) {
     if (options.should_stop && options.should_stop()) return done(NewtonStatus::cancelled);
-    evaluate(objective, x, w, options);
+    w.value = objective.derivatives(x, w.gradient, w.hessian);
     if (!std::isfinite(w.value) || !w.gradient.allFinite()) return done(NewtonStatus::not_finite);
     report.max_gradient = w.gradient.size() ? w.gradient.cwiseAbs().maxCoeff() : 0.0;
     if (report.max_gradient <= options.gradient_tolerance) return done(NewtonStatus::converged);
-    if (direction(objective, solver, x, w, report) != LinearStatus::ok) return done(NewtonStatus::linear_failure);
+    if (direction(solver, w, options.relative_shift, report) != LinearStatus::ok)
+      return done(NewtonStatus::linear_failure);
     report.max_step = w.step.cwiseAbs().maxCoeff();
     const Search search = line_search(objective, x, w, report);
-    if (report.max_step <= options.step_tolerance && search != Search::failed) {
+    if (search == Search::failed) return done(NewtonStatus::stalled);
+    if (report.max_step <= options.step_tolerance && w.shift < kFirstShift) {
       ++report.iterations;
       return done(NewtonStatus::converged);
-    }
-    if (search == Search::failed) {
-      if (w.projected_left > 0) return done(NewtonStatus::stalled);
-      w.projected_left = kRetryExactAfter;  // the exact Hessian gave a bad direction; try the projected one
-      continue;
     }
     flat = search == Search::flat ? flat + 1 : 0;
     if (flat > kMaxFlatIterations) return done(NewtonStatus::stalled);

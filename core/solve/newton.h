@@ -8,18 +8,13 @@
 
 namespace slipstitch {
 
-enum class HessianMode {
-  exact,     // the sum of the exact element Hessians; may be indefinite
-  projected  // every element Hessian clamped to positive semidefinite
-};
-
 /// A smooth function of n unknowns with a sparse Hessian.
 class Objective {
  public:
   virtual ~Objective() = default;
   virtual double value(const VecX& x) = 0;
   /// Returns the value; fills g (n) and the values of h on its pattern.
-  virtual double derivatives(const VecX& x, HessianMode mode, VecX& g, SparseMatrix& h) = 0;
+  virtual double derivatives(const VecX& x, VecX& g, SparseMatrix& h) = 0;
   /// Largest a in (0, 1] such that x + a dx keeps what must never be broken.
   virtual double max_step(const VecX& x, const VecX& dx) = 0;
   /// Magnitude of the terms summed in value(): its round-off is about 1e-16 times this.
@@ -38,7 +33,7 @@ enum class NewtonStatus { converged, too_many_iterations, stalled, not_finite, l
 
 struct NewtonReport {
   NewtonStatus status = NewtonStatus::not_finite;
-  int iterations = 0, factorizations = 0, projected_hessians = 0, backtracks = 0;
+  int iterations = 0, factorizations = 0, shifted_hessians = 0, backtracks = 0;
   double max_step = 0.0;      // max |Newton step| of the last iteration
   double max_gradient = 0.0;  // max |gradient| where it was last evaluated
 };
@@ -46,7 +41,7 @@ struct NewtonReport {
 std::string_view to_string(NewtonStatus status);
 
 /// Minimises from x (changed in place) by Newton's method with an Armijo line search [Nocedal and Wright 2006, 3.1].
-/// The exact Hessian is tried first; where it is not positive definite the projected one gives the direction.
+/// Where the Hessian is not positive definite a multiple of the identity is added until it is [ibid., 3.4].
 NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOptions& options, VecX& x);
 
 }  // namespace slipstitch

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "sim/monitor.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace slipstitch {
+namespace {
+
+constexpr int kInteriorMargin = 2;  // courses and wales from every edge
+
+Vec<12> gather(const std::array<int, 12>& coords, const VecX& q) {
+  Vec<12> x;
+  for (int i = 0; i < 12; ++i) x[i] = q[coords[static_cast<std::size_t>(i)]];
+  return x;
+}
+
+bool interior(const Topology& topo, const StitchContact& contact) {
+  if (contact.stitch < 0) return false;
+  const Stitch& s = topo.stitches[static_cast<std::size_t>(contact.stitch)];
+  return s.course > kInteriorMargin && s.course <= topo.num_courses - kInteriorMargin && s.wale > kInteriorMargin &&
+         s.wale <= topo.num_wales - kInteriorMargin;
+}
+
+struct FadeCount {
+  int wraps = 0, faded = 0;
+  std::optional<double> share() const {
+    if (wraps == 0) return std::nullopt;
+    return static_cast<double>(faded) / wraps;
+  }
+};
+
+}  // namespace
+
+Monitor::Monitor(const Simulation& sim)
+    : start_arc_(sim.state().q.tail(sim.model().topology.num_visits())),
+      min_gap_ratio_(std::numeric_limits<double>::infinity()) {
+  observe_wraps(sim);
+  ridge_entries_ = 0;
+}
+
+std::optional<std::string> Monitor::observe(const Simulation& sim, double residual) {
+  residual_ = std::max(residual_, residual);
+  observe_segments(sim);
+  observe_wraps(sim);
+  return pulled_out(sim);
+}
+
+void Monitor::observe_segments(const Simulation& sim) {
+  const Topology& topo = sim.model().topology;
+  const VecX& q = sim.state().q;
+  for (int i = 0; i + 1 < topo.num_visits(); ++i) {
+    const auto v = static_cast<std::size_t>(i);
+    if (topo.segment_kind[v] == SegmentKind::none) continue;
+    const double arc = q[topo.arc_coord(i + 1)] - q[topo.arc_coord(i)];
+    const Vec3 d = q.segment<3>(topo.x_coord(topo.visit_node[v + 1])) - q.segment<3>(topo.x_coord(topo.visit_node[v]));
+    min_gap_ratio_ = std::min(min_gap_ratio_, arc / rest_length(topo, i));
+    max_stretch_ = std::max(max_stretch_, d.norm() / arc);
+  }
+}
+
+void Monitor::observe_wraps(const Simulation& sim) {
+  const auto& wraps = std::get<Wrapping>(sim.forces());
+  in_cap_.resize(static_cast<std::size_t>(wraps.size()), 0);
+  for (int k = 0; k < wraps.size(); ++k) {
+    const Vec<12> x = gather(wraps.coords(k), sim.state().q);
+    const double psi = wrap_angle(x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9));
+    const bool inside = wrap_in_cap(wrap_excess(psi, wraps.rest_angle(k)));
+    char& before = in_cap_[static_cast<std::size_t>(k)];
+    if (inside && !before) ++ridge_entries_;
+    before = inside ? 1 : 0;
+  }
+}
+
+std::optional<std::string> Monitor::pulled_out(const Simulation& sim) const {
+  const Topology& topo = sim.model().topology;
+  const VecX arc = sim.state().q.tail(topo.num_visits());
+  const double reach = sim.model().yarn.radius_m;
+  for (std::size_t c = 0; c < topo.contacts.size(); ++c) {
+    const StitchContact& contact = topo.contacts[c];
+    for (int visit : {contact.u_visit[0], contact.u_visit[1], contact.v_visit[0], contact.v_visit[1]}) {
+      const auto yarn = std::upper_bound(topo.yarn_first.begin(), topo.yarn_first.end(), visit);
+      const int first = *(yarn - 1), last = *yarn - 1;
+      if (arc[visit] - arc[first] > reach && arc[last] - arc[visit] > reach) continue;
+      return "a yarn end was pulled to within one radius of the contact at " +
+             describe_contact(topo, static_cast<int>(c)) + " at t = " + std::to_string(sim.state().t) + " s";
+    }
+  }
+  return std::nullopt;
+}
+
+void Monitor::report(const Simulation& sim, RunSummary& summary) const {
+  const Topology& topo = sim.model().topology;
+  const VecX& q = sim.state().q;
+  summary.residual = residual_;
+  if (std::isfinite(min_gap_ratio_)) {
+    summary.min_arc_gap_ratio = min_gap_ratio_;
+    summary.max_stretch = max_stretch_;
+  }
+  if (sim.model().effects.sliding) {
+    double sum = 0.0, largest = 0.0;
+    int count = 0;
+    for (int i = 0; i < topo.num_visits(); ++i) {
+      if (!topo.visit_slides[static_cast<std::size_t>(i)]) continue;
+      const double slid = std::abs(q[topo.arc_coord(i)] - start_arc_[i]);
+      sum += slid;
+      largest = std::max(largest, slid);
+      ++count;
+    }
+    summary.max_slid_m = largest;
+    summary.mean_slid_m = count > 0 ? sum / count : 0.0;
+  }
+  const auto& wraps = std::get<Wrapping>(sim.forces());
+  if (wraps.size() == 0) return;
+  FadeCount all, inner;
+  for (int k = 0; k < wraps.size(); ++k) {
+    const bool faded = wrap_fade_derivatives(gather(wraps.coords(k), q), nullptr, nullptr) < 1.0;
+    const bool inside = interior(topo, topo.contacts[static_cast<std::size_t>(wraps.contact(k))]);
+    all.wraps += 1;
+    all.faded += faded;
+    inner.wraps += inside;
+    inner.faded += inside && faded;
+  }
+  summary.faded_wrap_share = all.share();
+  summary.faded_wrap_share_interior = inner.share();
+  summary.wrap_ridge_entries = ridge_entries_;
+}
+
+std::string describe_contact(const Topology& topology, int contact) {
+  const StitchContact& c = topology.contacts[static_cast<std::size_t>(contact)];
+  if (c.stitch < 0) return "the bind-off";
+  const Stitch& s = topology.stitches[static_cast<std::size_t>(c.stitch)];
+  return "course " + std::to_string(s.course) + ", wale " + std::to_string(s.wale) +
+         (c.side == ClaspSide::left ? " (left clasp)" : " (right clasp)");
+}
+
+std::string state_hash(const VecX& q) {
+  std::uint64_t hash = 1469598103934665603ULL;
+  for (const double value : q) {
+    auto bits = std::bit_cast<std::uint64_t>(value);
+    for (int byte = 0; byte < 8; ++byte, bits >>= 8) hash = (hash ^ (bits & 0xff)) * 1099511628211ULL;
+  }
+  std::string text(16, '0');
+  for (int digit = 15; digit >= 0; --digit, hash >>= 4) text[static_cast<std::size_t>(digit)] = "0123456789abcdef"[hash & 15];
+  return text;
+}
+
+}  // namespace slipstitch
