@@ -65,7 +65,7 @@ TEST(Pools, WrapStiffnessIsAlphaEIOverSquaredRestLengthUnlessGiven) {
   Model model = everything_on();
   const double L = rest_length(model.topology, 1);
   const auto energy = [&] {
-    const Wrapping wrapping(model);
+    const Wrapping wrapping(model, WrapFadeForm::plain);
     Vec<12> q;
     for (int i = 0; i < 12; ++i) q[i] = model.start_q[wrapping.coords(0)[static_cast<std::size_t>(i)]];
     const double psi = wrap_angle(q.segment<3>(0), q.segment<3>(3), q.segment<3>(6), q.segment<3>(9));
