@@ -19,7 +19,8 @@ struct DrawnLoop {
   double sinker_t = 0.0;                 // P1 on N: t = -+(pi - sinker_t); P2 on O: t = -+sinker_t
   double leg_t = 0.0;                    // P1 on O: t = -+leg_t;           P2 on N: t = -+(pi - leg_t)
 
-  // The shared nodes, from the wale's middle and from the height of P1 at the loop's base. z for a knit clasp.
+  // The shared nodes, at the ends of the zone where the loops touch, from the wale's middle and from the height of P1
+  // at the loop's base. z for a knit clasp.
   double p1_x = 0.0, p2_x = 0.0;  // half distances between left and right clasp
   double p2_y = 0.0;              // P2 above P1
   double z = 0.0;                 // mean of the two centrelines
