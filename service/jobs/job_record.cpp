@@ -3,6 +3,8 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+
 #include "jobs/server_summary.h"
 #include "run_dir/atomic_file.h"
 #include "run_dir/control_log.h"
@@ -37,7 +39,8 @@ void take_summary(JobRecord& record) {
   const std::optional<ServerSummary> summary = text ? parse_summary(*text) : std::nullopt;
   job.state = summary ? state_of(summary->status) : JobState::failed;
   job.summary_json = summary ? *text : std::string();
-  job.end_time = file_time(record.dir.summary());
+  // Files are stamped by a clock that lags a tick behind utc_now(); RFC 3339 sorts as text.
+  job.end_time = std::max({file_time(record.dir.summary()), job.start_time, job.info.create_time});
   if (job.state != JobState::failed) return;
   job.failure =
       summary ? summary->failure : Failure{"STORAGE_FAILED", record.dir.summary().string() + " cannot be read", {}};
@@ -72,7 +75,7 @@ Result<JobRecord> load_job(const RunDir& dir, const std::string& id) {
   if (const Result<WorkerInfo> worker = read_worker(dir); worker) {
     record.worker = *worker;
     record.job.state = JobState::running;
-    record.job.start_time = file_time(dir.worker());
+    record.job.start_time = std::max(file_time(dir.worker()), record.job.info.create_time);
     if (!worker_alive(*worker)) settle(record, {});
   } else if (has_summary(dir)) {
     take_summary(record);

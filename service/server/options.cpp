@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "jobs/data_dir.h"
+#include "jobs/worker_environment.h"
 #include "platform/version.h"
 
 namespace slipstitch {
@@ -28,6 +29,12 @@ std::string check_address(const std::string& address) {
   const bool number = !port.empty() && port.size() <= 5 && port.find_first_not_of("0123456789") == std::string::npos;
   if (colon == 0 || !number || std::stoi(port) > 65535) return "'" + address + "' is not HOST:PORT";
   return {};
+}
+
+// The server computes nothing itself.
+std::string version_text() {
+  const std::string core = jobs::blas_core_for_jobs();
+  return "slipstitchd " + version_string() + " (BLAS core of new jobs: " + (core.empty() ? "unknown" : core) + ")";
 }
 
 bool asks_for_http(const std::vector<std::string>& arguments) {
@@ -62,7 +69,7 @@ ParsedOptions parse_server_options(std::vector<std::string> arguments, const std
   std::string data_dir = jobs::default_data_dir().string(), worker = worker_beside_executable().string();
   CLI::App app("Runs knit simulations as jobs and streams their frames over gRPC.", program);
   declare(app, options, data_dir, worker);
-  app.set_version_flag("--version", version_line("slipstitchd"));
+  app.set_version_flag("--version", version_text());
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
   try {
     app.parse(arguments);
