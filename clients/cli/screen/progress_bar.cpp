@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "cli/screen/progress_bar.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+#include "cli/screen/text.h"
+
+namespace slipstitch {
+namespace {
+
+constexpr std::chrono::milliseconds kRedrawInterval{100};
+constexpr int kBarWidth = 20;
+constexpr char kClearLine[] = "\r\x1b[K";
+
+double share_done(const Progress& progress) {
+  return progress.duration_s > 0.0 ? std::clamp(progress.t / progress.duration_s, 0.0, 1.0) : 1.0;
+}
+
+std::string bar(double share) {
+  const int filled = static_cast<int>(std::floor(share * kBarWidth));
+  return "[" + std::string(static_cast<std::size_t>(filled), '#') +
+         std::string(static_cast<std::size_t>(kBarWidth - filled), '.') + "]";
+}
+
+std::string percent(double share) {
+  std::string text = std::to_string(static_cast<int>(std::floor(100.0 * share)));
+  return std::string(3 - text.size(), ' ') + text + " %";
+}
+
+}  // namespace
+
+std::string progress_line(const Progress& progress, std::optional<double> eta_s, int columns) {
+  const double share = share_done(progress);
+  std::string line = bar(share) + " " + percent(share);
+  const std::string eta = eta_s ? "  ETA " + clock_text(*eta_s) : "";
+  const std::vector<std::string> parts{
+      "  " + short_number(progress.t) + "/" + short_number(progress.duration_s) + " s",
+      "  step " + thousands(progress.steps),
+      "  Newton " + thousands(progress.newton_iterations),
+      "  res " + short_number(progress.residual, 2),
+  };
+  const auto room = static_cast<std::size_t>(std::max(columns - 1, 1));
+  for (const std::string& part : parts) {
+    if (line.size() + part.size() + eta.size() > room) break;
+    line += part;
+  }
+  return (line + eta).substr(0, room);
+}
+
+ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+int ProgressBar::columns() const {
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+void ProgressBar::show(const Progress& progress, std::optional<double> eta_s) {
+  if (!terminal_) return;
+  last_ = progress;
+  const auto now = std::chrono::steady_clock::now();
+  if (drawn_at_ && now - *drawn_at_ < kRedrawInterval) return;
+  drawn_at_ = now;
+  draw(progress_line(progress, eta_s, columns()));
+}
+
+void ProgressBar::show(const std::string& text) {
+  if (!terminal_) return;
+  draw(text.substr(0, static_cast<std::size_t>(columns() - 1)));
+}
+
+void ProgressBar::finish() {
+  if (!last_) return clear();
+  draw(progress_line(*last_, std::nullopt, columns()) + "  " + duration_text(last_->wall_s));
+  std::cerr << std::endl;
+  drawn_ = false;
+  last_.reset();
+}
+
+void ProgressBar::clear() {
+  if (drawn_) std::cerr << kClearLine << std::flush;
+  drawn_ = false;
+}
+
+void ProgressBar::draw(const std::string& line) {
+  std::cerr << kClearLine << line << std::flush;
+  drawn_ = true;
+}
+
+}  // namespace slipstitch

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "cli/screen/summary_text.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "cli/screen/text.h"
+
+namespace slipstitch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kValueWidth = 66;
+
+std::optional<double> number(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+}
+
+std::string text(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+long whole(std::optional<double> value) { return static_cast<long>(value.value_or(0.0)); }
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string line;
+  for (const std::string& part : parts) line += (line.empty() || part.empty() ? "" : ", ") + part;
+  return line;
+}
+
+std::string lines(const std::vector<std::string>& parts) {
+  std::string all;
+  for (const std::string& line : wrap_list(parts, kValueWidth)) all += (all.empty() ? "" : "\n") + line;
+  return all;
+}
+
+std::string size_line(const Json& json) {
+  std::vector<std::string> parts;
+  if (const auto loops = number(json, "loops"); loops && *loops > 0) {
+    parts.push_back(count_of(whole(loops), "loop", "loops"));
+  }
+  if (const auto nodes = number(json, "nodes")) parts.push_back(count_of(whole(nodes), "node", "nodes"));
+  if (const auto dofs = number(json, "dofs")) parts.push_back(count_of(whole(dofs), "unknown", "unknowns"));
+  return joined(parts);
+}
+
+std::string effects_line(const Json& json) {
+  const auto found = json.find("effects");
+  if (found == json.end() || !found->is_array()) return {};
+  std::vector<std::string> names;
+  for (const Json& name : *found) {
+    if (name.is_string()) names.push_back(name.get<std::string>());
+  }
+  return names.empty() ? "none" : lines(names);
+}
+
+std::string time_line(const Json& json) {
+  const auto time = number(json, "sim_time_s");
+  if (!time) return {};
+  std::string line = short_number(*time, 6) + " s";
+  if (const auto steps = number(json, "steps")) line += " in " + count_of(whole(steps), "step", "steps");
+  if (const auto rejected = number(json, "rejected_steps"); rejected && *rejected > 0) {
+    line += " (" + thousands(whole(rejected)) + " more rejected)";
+  }
+  if (const auto frames = number(json, "frames")) line += ", " + count_of(whole(frames), "frame", "frames");
+  return line;
+}
+
+std::string newton_line(const Json& json) {
+  const auto iterations = number(json, "newton_iterations");
+  if (!iterations) return {};
+  std::string line = count_of(whole(iterations), "iteration", "iterations");
+  const auto steps = number(json, "steps");
+  if (steps && *steps > 0) line += ", " + short_number(*iterations / *steps, 2) + " a step";
+  const std::string unit = text(json, "residual_unit");
+  if (const auto residual = number(json, "residual")) {
+    line += "; largest residual " + short_number(*residual, 2) + (unit.empty() ? "" : " " + unit);
+  }
+  return line;
+}
+
+std::string sliding_line(const Json& json) {
+  const auto largest = number(json, "max_slid_m"), mean = number(json, "mean_slid_m");
+  if (!largest) return {};
+  return "up to " + metres_text(*largest) + (mean ? ", " + metres_text(*mean) + " on average" : "");
+}
+
+std::string wraps_line(const Json& json) {
+  std::vector<std::string> parts;
+  if (const auto faded = number(json, "faded_wrap_share")) parts.push_back(percent_text(*faded) + " faded");
+  if (const auto inside = number(json, "faded_wrap_share_interior")) {
+    parts.push_back(percent_text(*inside) + " away from the edges");
+  }
+  if (const auto ridge = number(json, "wrap_ridge_entries"); ridge && *ridge > 0) {
+    parts.push_back(count_of(whole(ridge), "turn past pi", "turns past pi"));
+  }
+  return joined(parts);
+}
+
+std::string yarn_line(const Json& json) {
+  std::vector<std::string> parts;
+  if (const auto stretch = number(json, "max_stretch")) {
+    parts.push_back("stretched to " + percent_text(*stretch) + " at most");
+  }
+  if (const auto gap = number(json, "min_arc_gap_ratio")) {
+    parts.push_back("closest contacts at " + percent_text(*gap) + " of rest");
+  }
+  return joined(parts);
+}
+
+std::string wall_line(const Json& json) {
+  const auto wall = number(json, "wall_s");
+  if (!wall) return {};
+  std::vector<std::pair<double, std::string>> phases;
+  if (const auto found = json.find("wall_by_phase_s"); found != json.end() && found->is_object()) {
+    for (const auto& [name, value] : found->items()) {
+      if (value.is_number() && *wall > 0.0) phases.emplace_back(value.get<double>() / *wall, name);
+    }
+  }
+  std::sort(phases.rbegin(), phases.rend());
+  std::vector<std::string> parts;
+  for (const auto& [share, name] : phases) parts.push_back(name + " " + percent_text(share));
+  const std::string by_phase = lines(parts);
+  return duration_text(*wall) + (by_phase.empty() ? "" : "\n" + by_phase);
+}
+
+std::string machine_line(const Json& json) {
+  std::vector<std::string> parts;
+  for (const char* key : {"linear_solver", "blas"}) {
+    if (const std::string part = text(json, key); !part.empty()) parts.push_back(part);
+  }
+  if (const auto memory = number(json, "peak_memory_bytes")) parts.push_back(bytes_text(*memory) + " at most");
+  return lines(parts);
+}
+
+}  // namespace
+
+std::string summary_text(const Json& json) {
+  Rows rows;
+  const auto add = [&rows](const char* name, std::string value) {
+    if (!value.empty()) rows.emplace_back(name, std::move(value));
+  };
+  add("fabric", size_line(json));
+  add("effects", effects_line(json));
+  add("simulated", time_line(json));
+  add("Newton", newton_line(json));
+  add("sliding", sliding_line(json));
+  add("wraps", wraps_line(json));
+  add("yarn", yarn_line(json));
+  add("wall time", wall_line(json));
+  add("machine", machine_line(json));
+  const std::string scene = text(json, "scene"), status = text(json, "status");
+  return (scene.empty() ? "scene" : scene) + ": " + (status.empty() ? "no result" : status) + "\n" + two_columns(rows);
+}
+
+}  // namespace slipstitch

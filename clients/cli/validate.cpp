@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/estimate.h"
+#include "cli/exit_code.h"
+#include "cli/options.h"
+#include "cli/screen/text.h"
+
+namespace slipstitch {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ValidateOptions {
+  SceneOptions scene;
+  bool json = false;
+};
+
+Json to_json(const std::string& scene, const Estimate& estimate) {
+  const auto& memory = estimate.memory_bytes;
+  return {{"valid", true},
+          {"scene", scene},
+          {"loops", estimate.loops},
+          {"nodes", estimate.nodes},
+          {"dofs", estimate.dofs},
+          {"effects", estimate.effects},
+          {"frames", estimate.frames},
+          {"least_steps", estimate.least_steps},
+          {"hessian_nonzeros", estimate.hessian_nonzeros},
+          {"memory_bytes_estimate", memory ? Json(static_cast<long>(*memory)) : Json()},
+          {"wall_s_estimate", nullptr}};
+}
+
+std::string to_text(const std::string& scene, const Estimate& estimate) {
+  std::string effects;
+  for (const std::string& line : wrap_list(estimate.effects, 66)) effects += (effects.empty() ? "" : "\n") + line;
+  const std::string loops = estimate.loops > 0 ? count_of(estimate.loops, "loop", "loops") + ", " : "";
+  const auto& memory = estimate.memory_bytes;
+  return scene + ": valid\n" +
+         two_columns({{"fabric", loops + count_of(estimate.nodes, "node", "nodes") + ", " +
+                                     count_of(estimate.dofs, "unknown", "unknowns")},
+                      {"effects", effects.empty() ? "none" : effects},
+                      {"output", count_of(estimate.frames, "frame", "frames") + " in at least " +
+                                     count_of(estimate.least_steps, "step", "steps")},
+                      {"memory", memory ? "about " + bytes_text(*memory) : "not known"},
+                      {"time", "not measured"}});
+}
+
+int validate(const ValidateOptions& options) {
+  const std::optional<LoadedScene> loaded = load(options.scene);
+  if (!loaded) return kExitBadInput;
+  const Estimate found = estimate(loaded->scene);
+  if (!found.failure.empty()) {
+    complain(found.failure);
+    return kExitFailed;
+  }
+  const std::string& name = loaded->scene.name;
+  if (options.json) {
+    std::cout << to_json(name, found).dump(2) << std::endl;
+  } else {
+    std::cout << to_text(name.empty() ? options.scene.scene : name, found) << std::flush;
+  }
+  return kExitDone;
+}
+
+}  // namespace
+
+Command add_validate(CLI::App& root) {
+  auto options = std::make_shared<ValidateOptions>();
+  CLI::App* app = root.add_subcommand("validate", "Check a scene and tell its size; run nothing");
+  add_scene_options(*app, options->scene);
+  add_json_flag(*app, options->json);
+  return {app, [options] { return validate(*options); }};
+}
+
+}  // namespace slipstitch

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "cli/screen/progress_bar.h"
+#include "cli/screen/summary_text.h"
+#include "cli/screen/text.h"
+
+namespace slipstitch::test {
+namespace {
+
+TEST(Text, WritesNumbersForPeople) {
+  EXPECT_EQ(thousands(0), "0");
+  EXPECT_EQ(thousands(999), "999");
+  EXPECT_EQ(thousands(1234567), "1,234,567");
+  EXPECT_EQ(thousands(-1000), "-1,000");
+  EXPECT_EQ(metres_text(0.00124), "1.24 mm");
+  EXPECT_EQ(metres_text(-3.7e-5), "-37 um");
+  EXPECT_EQ(bytes_text(412e6), "412 MB");
+  EXPECT_EQ(bytes_text(1.26e9), "1.3 GB");
+  EXPECT_EQ(duration_text(0.0421), "42 ms");
+  EXPECT_EQ(duration_text(4.24), "4.2 s");
+  EXPECT_EQ(duration_text(161), "2 min 41 s");
+  EXPECT_EQ(duration_text(59.97), "1 min 00 s");
+  EXPECT_EQ(duration_text(3840), "1 h 04 min");
+  EXPECT_EQ(clock_text(83), "1:23");
+  EXPECT_EQ(clock_text(3723), "1:02:03");
+  EXPECT_EQ(percent_text(0.0), "0 %");
+  EXPECT_EQ(percent_text(0.0004), "< 0.1 %");
+  EXPECT_EQ(percent_text(0.0123), "1.2 %");
+  EXPECT_EQ(percent_text(0.62), "62 %");
+}
+
+Progress sample_progress() {
+  Progress progress;
+  progress.t = 0.9416;
+  progress.duration_s = 2.0;
+  progress.steps = 1226;
+  progress.newton_iterations = 4911;
+  progress.residual = 8.123e-5;
+  return progress;
+}
+
+TEST(ProgressLine, ShowsHowFarAndHowLong) {
+  EXPECT_EQ(progress_line(sample_progress(), 83.0, 100),
+            "[#########...........]  47 %  0.942/2 s  step 1,226  Newton 4,911  res 8.1e-05  ETA 1:23");
+}
+
+TEST(ProgressLine, FitsAnyTerminal) {
+  for (int columns = 1; columns <= 120; ++columns) {
+    const std::string line = progress_line(sample_progress(), 35000.0, columns);
+    EXPECT_LE(line.size(), static_cast<std::size_t>(std::max(columns - 1, 1)));
+    if (columns >= 50) EXPECT_NE(line.find("ETA 9:43:20"), std::string::npos) << line;
+  }
+}
+
+TEST(ProgressLine, NeverRunsOver) {
+  Progress progress = sample_progress();
+  progress.t = 3.0;
+  EXPECT_TRUE(progress_line(progress, {}, 80).starts_with("[####################] 100 %"));
+  progress.duration_s = 0.0;
+  EXPECT_TRUE(progress_line(progress, {}, 80).starts_with("[####################] 100 %"));
+}
+
+TEST(SummaryText, ShowsWhatWasMeasuredAndNothingElse) {
+  const auto text = summary_text(nlohmann::ordered_json::parse(R"({"status": "succeeded", "scene": "drape",
+    "loops": 1600, "nodes": 6724, "dofs": 30016, "effects": ["inertia", "gravity"], "sim_time_s": 2.0, "wall_s": 161,
+    "steps": 480, "rejected_steps": 3, "frames": 61, "newton_iterations": 1932, "residual": 9.1e-5,
+    "residual_unit": "m/s", "max_slid_m": 0.00124, "mean_slid_m": 8e-5, "faded_wrap_share": 0.012,
+    "faded_wrap_share_interior": 0, "wall_by_phase_s": {"assembly": 60, "factor": 90},
+    "peak_memory_bytes": null, "linear_solver": "cholmod supernodal"})"));
+  for (const char* part :
+       {"drape: succeeded", "1,600 loops, 6,724 nodes, 30,016 unknowns", "inertia, gravity",
+        "2 s in 480 steps (3 more rejected), 61 frames", "1,932 iterations, 4 a step", "largest residual 9.1e-05 m/s",
+        "up to 1.24 mm, 80 um on average", "1.2 % faded", "0 % away from the edges", "2 min 41 s",
+        "factor 56 %, assembly 37 %", "cholmod supernodal"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  }
+  EXPECT_EQ(text.find("stretched"), std::string::npos);
+  EXPECT_EQ(text.find("at most"), std::string::npos);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(SummaryText, TakesASummaryWithNothingMeasured) {
+  EXPECT_EQ(summary_text({{"status", "failed"}, {"scene", "x"}, {"wall_s", nullptr}, {"effects", nullptr}}),
+            "x: failed\n");
+}
+
+}  // namespace
+}  // namespace slipstitch::test
