@@ -46,7 +46,9 @@ int export_frames(const ExportArguments& options) {
 Command add_export(CLI::App& root) {
   auto options = std::make_shared<ExportArguments>();
   CLI::App* app = root.add_subcommand("export", "Write the frames of a run directory as files");
-  app->add_option("RUN_DIR", options->run, "Directory of 'slipstitch simulate --out', or of a job")->required();
+  app->add_option("RUN_DIR", options->run, "Directory of a run: 'simulate --out', or a job's")
+      ->type_name("")
+      ->required();
   add_frame_file_options(*app, options->files);
   add_json_flag(*app, options->json);
   return {app, [options] { return export_frames(*options); }};

@@ -37,7 +37,7 @@ class FrameFetch {
     bar_.clear();
     if (const std::string error = exporter_.finish(); !error.empty()) return fail(error);
     if (const auto code = ended_early(download, *connection)) return *code;
-    return done(*download.end, *connection);
+    return done(*download.end);
   }
 
  private:
@@ -105,7 +105,7 @@ class FrameFetch {
                                : " has no frames, it " + v1::SimJob::State_Name(end.state())));
   }
 
-  int done(const v1::StreamEnd& end, const Connection& connection) {
+  int done(const v1::StreamEnd& end) {
     const auto frames = static_cast<int>(exporter_.files().size());
     if (frames == 0 && end.reason() != "NO_MORE_YET") {
       complain("there is no frame " + std::to_string(options_.files.first) + "; " + name_ + " has " +
@@ -114,7 +114,7 @@ class FrameFetch {
     }
     report_frames(options_.files, frames, options_.json);
     if (end.reason() == "NO_MORE_YET") {
-      note(name_ + " still runs; --follow waits for the rest, as does\n  " + command_for("watch", name_, connection));
+      note(name_ + " still runs; --follow waits for the rest.");
     } else if (end.state() != v1::SimJob::SUCCEEDED) {
       note(name_ + " ended as " + v1::SimJob::State_Name(end.state()) + "; these are the frames it has.");
     }
@@ -144,7 +144,7 @@ Command add_frames(CLI::App& root) {
   CLI::App* app = root.add_subcommand("frames", "Fetch a job's frames and write them as files");
   add_job_argument(*app, options->job);
   add_frame_file_options(*app, options->files);
-  app->add_flag("--follow", options->follow, "Wait for frames still to come, until the job ends");
+  app->add_flag("--follow", options->follow, "Wait for frames still to come");
   add_server_option(*app, options->server);
   add_json_flag(*app, options->json);
   return {app, [options] { return fetch_frames(*options); }};

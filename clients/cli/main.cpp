@@ -47,11 +47,12 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", version_line("slipstitch"), "Show version and BLAS");
   app.require_subcommand(1);
   app.get_formatter()->column_width(26);
+  const std::vector<Command> commands = add_commands(app);
+  // Behind the commands, which would inherit it.
   app.footer(
       "'slipstitch COMMAND --help' shows the options of a command.\n"
       "Exit codes: 0 done, 1 the run failed, 2 bad usage or input, 3 no server,\n"
       "            4 cancelled, 130 interrupted.");
-  const std::vector<Command> commands = add_commands(app);
   if (argc < 2) {
     std::cerr << app.help();
     return kExitBadInput;

@@ -18,6 +18,9 @@ std::string format_names() {
   return names;
 }
 
+// Without the range in the help, where it would only fill the line.
+CLI::Validator in_range(int first, int last) { return CLI::Range(first, last).description(""); }
+
 bool can_be_read(const std::string& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -38,9 +41,10 @@ void complain(const std::string& message) { std::cerr << "slipstitch: " << messa
 void note(const std::string& message) { std::cerr << message << std::endl; }
 
 void add_scene_options(CLI::App& app, SceneOptions& options) {
-  app.add_option("SCENE", options.scene, "A scene (.json), or a chart of K and P rows (.txt) run with defaults")
+  app.add_option("SCENE", options.scene, "A scene (.json), or a chart of K and P rows (.txt)")
+      ->type_name("")
       ->required();
-  app.add_option("--set", options.settings, "Change the scene, e.g. yarn.radius_m=0.6e-3; may be repeated")
+  app.add_option("--set", options.settings, "Change the scene first, e.g. yarn.radius_m=0.6e-3")
       ->type_name("PATH=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -58,36 +62,31 @@ std::optional<LoadedScene> load(const SceneOptions& options) {
 }
 
 void add_threads_option(CLI::App& app, int& threads) {
-  app.add_option("--threads", threads, "Threads of the solver; default: all cores")
+  app.add_option("--threads", threads, "Threads of the solver; default: one per core")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+      ->check(in_range(1, 1024));
 }
 
 void add_json_flag(CLI::App& app, bool& json) { app.add_flag("--json", json, "Print one JSON object, nothing else"); }
 
 void add_server_option(CLI::App& app, std::string& server) {
-  app.add_option("--server", server, "Address of slipstitchd; default: SLIPSTITCH_SERVER, else 127.0.0.1:50651")
-      ->type_name("HOST:PORT");
+  app.add_option("--server", server, "Default: SLIPSTITCH_SERVER, else 127.0.0.1:50651")->type_name("HOST:PORT");
 }
 
 void add_job_argument(CLI::App& app, std::string& job) {
-  app.add_option("JOB", job, "Name of a job: simJobs/ID, or its ID")->required();
+  app.add_option("JOB", job, "Name of a job: simJobs/ID, or its ID")->type_name("")->required();
 }
 
 void add_frame_file_options(CLI::App& app, FrameFileOptions& options) {
-  app.add_option("--out", options.out, "Write the files here; a folder that is not empty is refused")
-      ->type_name("DIR")
-      ->required();
+  app.add_option("--out", options.out, "Folder for the files, new or empty")->type_name("DIR")->required();
   app.add_option("--format", options.format, "Kind of file: " + format_names())->type_name("F")->required();
-  app.add_option("--first", options.first, "Index of the first frame")
+  app.add_option("--first", options.first, "Index of the first frame, default 0")
       ->type_name("N")
-      ->check(CLI::Range(0, 1'000'000'000))
-      ->capture_default_str();
-  app.add_option("--stride", options.stride, "Every K-th frame from there")
+      ->check(in_range(0, 1'000'000'000));
+  app.add_option("--stride", options.stride, "Every K-th frame from there, default 1")
       ->type_name("K")
-      ->check(CLI::Range(1, 1'000'000'000))
-      ->capture_default_str();
-  app.add_flag("--force", options.force, "Write into a folder that is not empty");
+      ->check(in_range(1, 1'000'000'000));
+  app.add_flag("--force", options.force, "Take a folder that is not empty");
 }
 
 const Format* known_format(const FrameFileOptions& options) {

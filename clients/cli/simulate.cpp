@@ -84,10 +84,9 @@ int report(const RunSummary& summary, const SimulateOptions& options, bool inter
   if (options.json) {
     std::cout << json.dump(2) << std::endl;
   } else {
-    std::cout << summary_text(json) << std::flush;
-    if (!options.out.empty()) {
-      std::cout << two_columns({{"run directory", options.out}}) << std::flush;
-    }
+    Rows more;
+    if (!options.out.empty()) more.emplace_back("kept in", options.out);
+    std::cout << summary_text(json, more) << std::flush;
   }
   switch (summary.status) {
     case RunStatus::succeeded:
@@ -149,9 +148,8 @@ Command add_simulate(CLI::App& root) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* app = root.add_subcommand("simulate", "Run a scene here, without a server");
   add_scene_options(*app, options->scene);
-  app->add_option("--out", options->out, "Keep the run in this directory; without it only the summary is shown")
-      ->type_name("DIR");
-  app->add_flag("--force", options->force, "Use a directory that is not empty");
+  app->add_option("--out", options->out, "Keep the run in this directory, new or empty")->type_name("DIR");
+  app->add_flag("--force", options->force, "Replace the run in a directory that is not empty");
   add_threads_option(*app, options->threads);
   add_json_flag(*app, options->json);
   return {app, [options] { return simulate(*options); }};

@@ -53,7 +53,7 @@ Command add_submit(CLI::App& root) {
   CLI::App* app = root.add_subcommand("submit", "Send a scene to a server; prints the name of the job");
   add_scene_options(*app, options->scene);
   add_threads_option(*app, options->threads);
-  app->add_option("--request-id", options->request_id, "Makes a repeat safe: the same id and scene give the same job")
+  app->add_option("--request-id", options->request_id, "The same ID and scene give the same job, once")
       ->type_name("ID");
   app->add_flag("--wait", options->wait, "Show progress until the job ends, and end like it");
   add_server_option(*app, options->server);

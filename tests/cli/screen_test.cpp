@@ -43,8 +43,8 @@ Progress sample_progress() {
 }
 
 TEST(ProgressLine, ShowsHowFarAndHowLong) {
-  EXPECT_EQ(progress_line(sample_progress(), 83.0, 100),
-            "[#########...........]  47 %  0.942/2 s  step 1,226  Newton 4,911  res 8.1e-05  ETA 1:23");
+  EXPECT_EQ(progress_line(sample_progress(), 83.0, 80),
+            "[#####.......]  47 %  0.94/2 s  step 1,226  Newton 4,911  res 8.1e-05  ETA 1:23");
 }
 
 TEST(ProgressLine, FitsAnyTerminal) {
@@ -58,9 +58,9 @@ TEST(ProgressLine, FitsAnyTerminal) {
 TEST(ProgressLine, NeverRunsOver) {
   Progress progress = sample_progress();
   progress.t = 3.0;
-  EXPECT_TRUE(progress_line(progress, {}, 80).starts_with("[####################] 100 %"));
+  EXPECT_TRUE(progress_line(progress, {}, 80).starts_with("[############] 100 %"));
   progress.duration_s = 0.0;
-  EXPECT_TRUE(progress_line(progress, {}, 80).starts_with("[####################] 100 %"));
+  EXPECT_TRUE(progress_line(progress, {}, 80).starts_with("[############] 100 %"));
 }
 
 TEST(SummaryText, ShowsWhatWasMeasuredAndNothingElse) {

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <vector>
 
@@ -15,7 +17,7 @@ namespace slipstitch {
 namespace {
 
 constexpr std::chrono::milliseconds kRedrawInterval{100};
-constexpr int kBarWidth = 20;
+constexpr int kBarWidth = 12;
 constexpr char kClearLine[] = "\r\x1b[K";
 
 double share_done(const Progress& progress) {
@@ -33,6 +35,15 @@ std::string percent(double share) {
   return std::string(3 - text.size(), ' ') + text + " %";
 }
 
+// "0.94/2": to about a hundredth of the duration.
+std::string time_of(const Progress& progress) {
+  const double duration = std::max(progress.duration_s, 1e-6);
+  const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(duration))));
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, progress.t);
+  return text.data() + ("/" + short_number(progress.duration_s));
+}
+
 }  // namespace
 
 std::string progress_line(const Progress& progress, std::optional<double> eta_s, int columns) {
@@ -40,7 +51,7 @@ std::string progress_line(const Progress& progress, std::optional<double> eta_s,
   std::string line = bar(share) + " " + percent(share);
   const std::string eta = eta_s ? "  ETA " + clock_text(*eta_s) : "";
   const std::vector<std::string> parts{
-      "  " + short_number(progress.t) + "/" + short_number(progress.duration_s) + " s",
+      "  " + time_of(progress) + " s",
       "  step " + thousands(progress.steps),
       "  Newton " + thousands(progress.newton_iterations),
       "  res " + short_number(progress.residual, 2),
@@ -76,7 +87,8 @@ void ProgressBar::show(const std::string& text) {
 
 void ProgressBar::finish() {
   if (!last_) return clear();
-  draw(progress_line(*last_, std::nullopt, columns()) + "  " + duration_text(last_->wall_s));
+  const std::string wall = "  " + duration_text(last_->wall_s);
+  draw(progress_line(*last_, std::nullopt, columns() - static_cast<int>(wall.size())) + wall);
   std::cerr << std::endl;
   drawn_ = false;
   last_.reset();

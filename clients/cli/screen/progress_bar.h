@@ -9,7 +9,7 @@
 
 namespace slipstitch {
 
-/// "[#####.....]  47 %  0.94 of 2 s  step 226  Newton 911  residual 8.1e-05  ETA 1:23", at most `columns` - 1
+/// "[#####.......]  47 %  0.94/2 s  step 226  Newton 911  res 8.1e-05  ETA 1:23", at most `columns` - 1
 /// characters: what does not fit is left out from the right, the ETA last.
 std::string progress_line(const Progress& progress, std::optional<double> eta_s, int columns);
 

@@ -139,7 +139,7 @@ std::string machine_line(const Json& json) {
 
 }  // namespace
 
-std::string summary_text(const Json& json) {
+std::string summary_text(const Json& json, const Rows& more) {
   Rows rows;
   const auto add = [&rows](const char* name, std::string value) {
     if (!value.empty()) rows.emplace_back(name, std::move(value));
@@ -153,6 +153,7 @@ std::string summary_text(const Json& json) {
   add("yarn", yarn_line(json));
   add("wall time", wall_line(json));
   add("machine", machine_line(json));
+  rows.insert(rows.end(), more.begin(), more.end());
   const std::string scene = text(json, "scene"), status = text(json, "status");
   return (scene.empty() ? "scene" : scene) + ": " + (status.empty() ? "no result" : status) + "\n" + two_columns(rows);
 }

@@ -4,9 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "cli/screen/text.h"
+
 namespace slipstitch {
 
 /// summary.json for people, a few lines of at most 80 columns. Takes any object: what is absent or null is left out.
-std::string summary_text(const nlohmann::ordered_json& summary);
+/// `more` comes below.
+std::string summary_text(const nlohmann::ordered_json& summary, const Rows& more = {});
 
 }  // namespace slipstitch
