@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <future>
 #include <thread>
 
 namespace slipstitch::test {
@@ -33,6 +34,17 @@ void say(int pipe, char byte) {
   if (::write(pipe, &byte, 1) != 1) ::_exit(3);
 }
 
+// It does not block the signals, and waits for them when this returns.
+void start_other_thread() {
+  std::promise<void> started;
+  const std::future<void> runs = started.get_future();
+  std::thread([started = std::move(started)]() mutable {
+    started.set_value();
+    for (;;) ::pause();
+  }).detach();
+  runs.wait();
+}
+
 // Returns in the child's place never. `other_thread`: one that does not block the signals runs beside.
 Child start_child(bool other_thread) {
   int pipe[2];
@@ -42,10 +54,7 @@ Child start_child(bool other_thread) {
     ::close(pipe[1]);
     return {pid, pipe[0]};
   }
-  if (other_thread)
-    std::thread([] {
-      for (;;) ::pause();
-    }).detach();
+  if (other_thread) start_other_thread();
   int first = 0;
   Interrupt interrupt([&] { ++first; });
   say(pipe[1], 'r');
