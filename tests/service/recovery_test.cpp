@@ -26,6 +26,30 @@ std::unique_ptr<Executor> local(const std::filesystem::path& program) {
   return std::move(*executor);
 }
 
+// A live process of ours that stands in for a worker; gone when the test is over, however it ends.
+class Sleeper {
+ public:
+  Sleeper() {
+    std::string program = "/bin/sleep", time = "1000";
+    std::array<char*, 3> arguments{program.data(), time.data(), nullptr};
+    EXPECT_EQ(posix_spawn(&pid_, program.c_str(), nullptr, nullptr, arguments.data(), environ), 0);
+  }
+  ~Sleeper() { kill(); }
+  Sleeper(const Sleeper&) = delete;
+  Sleeper& operator=(const Sleeper&) = delete;
+
+  pid_t pid() const { return pid_; }
+  void kill() {
+    if (pid_ < 0) return;
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+    pid_ = -1;
+  }
+
+ private:
+  pid_t pid_ = -1;
+};
+
 JobInfo job_info(const std::string& id) { return {"simJobs/" + id, "r-" + id, "hash", 1, "", utc_now(), "a"}; }
 
 constexpr char kId[] = "01abcdefgh000000";
@@ -103,15 +127,11 @@ TEST_F(RecoveryTest, BelievesTheSummaryOfAWorkerThatEndedMeanwhile) {
 
 TEST_F(RecoveryTest, FollowsALiveWorkerToItsEnd) {
   const RunDir dir = store_job();
-  pid_t pid = -1;
-  std::string program = "/bin/sleep", time = "1000";
-  std::array<char*, 3> arguments{program.data(), time.data(), nullptr};
-  ASSERT_EQ(posix_spawn(&pid, program.c_str(), nullptr, nullptr, arguments.data(), environ), 0);
-  ASSERT_EQ(write_worker(dir, *describe_process(pid)), "");
+  Sleeper sleeper;
+  ASSERT_EQ(write_worker(dir, *describe_process(sleeper.pid())), "");
   auto store = open(local("/bin/false"));
   EXPECT_EQ(store->get(kId)->state, JobState::running);
-  ::kill(pid, SIGKILL);
-  ::waitpid(pid, nullptr, 0);
+  sleeper.kill();
   EXPECT_EQ(wait_for_end(*store, kId).failure->reason, "WORKER_LOST");
 }
 
@@ -156,11 +176,8 @@ TEST_F(RecoveryTest, GivesTheWorkerThreadsOfTheJobAndNoDescriptors) {
 // The server was killed after it had started the worker and before worker.json told anybody.
 TEST_F(RecoveryTest, NeverRunsAJobTwiceAtATime) {
   const RunDir dir = store_job();
-  pid_t pid = -1;
-  std::string program = "/bin/sleep", time = "1000";
-  std::array<char*, 3> arguments{program.data(), time.data(), nullptr};
-  ASSERT_EQ(posix_spawn(&pid, program.c_str(), nullptr, nullptr, arguments.data(), environ), 0);
-  const std::string worker = to_json(*describe_process(pid)).dump();
+  Sleeper sleeper;
+  const std::string worker = to_json(*describe_process(sleeper.pid())).dump();
   // Stands in for a second worker that finds the job locked while the first one writes worker.json at last.
   auto store = open(local(script(folder_, "echo '" + worker + "' > worker.json; touch tried; exit 75")));
   wait_until(*store, kId, [&](const Job&) { return std::filesystem::exists(dir.path / "tried"); });
@@ -168,8 +185,7 @@ TEST_F(RecoveryTest, NeverRunsAJobTwiceAtATime) {
     ASSERT_EQ(store->get(kId)->state, JobState::running);
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  ::kill(pid, SIGKILL);
-  ::waitpid(pid, nullptr, 0);
+  sleeper.kill();
   EXPECT_EQ(wait_for_end(*store, kId).failure->reason, "WORKER_LOST");
 }
 
