@@ -41,6 +41,16 @@ double stretch_energy(double k_s, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) {
   return 0.5 * k_s * D * strain * strain;
 }
 
+void Stretch::convexify(int, const Vec<8>& q, Mat<8>& hess) const {
+  const Vec3 d = q.segment<3>(4) - q.segment<3>(0);
+  const double D = q[7] - q[3], length = d.norm();
+  if (!(length < D) || !(length > 0.0)) return;
+  const double lambda = length / D;
+  Vec<8> a;
+  a << -d / length, lambda, d / length, -lambda;
+  hess.noalias() = (k_s_ / D * a) * a.transpose();
+}
+
 Stretch::Stretch(const Model& model) : k_s_(model.yarn.stretch_n) {
   if (!model.effects.stretch) return;
   for_each_owned_segment(model.topology, [&](int, int i) { coords_.push_back(segment_coords(model.topology, i)); });

@@ -27,6 +27,8 @@ class Stretch {
     return stretch_energy(k_s_, q, g, hess);
   }
   void begin_step(const StepContext&) {}
+  /// Drops the geometric stiffness of a segment under compression, the one negative part of its Hessian.
+  void convexify(int, const Vec<kSize>& q, Mat<kSize>& hess) const;
 
  private:
   double k_s_ = 0.0;                            // [N]

@@ -38,7 +38,7 @@ class Wrapping {
   static constexpr int kSize = 12;
   static constexpr std::string_view kName = "wrapping";
 
-  explicit Wrapping(const Model& model, WrapFadeForm form = WrapFadeForm::no_net_attraction);
+  explicit Wrapping(const Model& model, WrapFadeForm form = WrapFadeForm::plain);
   int size() const { return static_cast<int>(coords_.size()); }
   std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {

@@ -79,7 +79,7 @@ void Assembly::scatter_general(const Term& term, int k, const Vec<Term::kSize>& 
 }
 
 template <class Term>
-void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, VecX& g,
+void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, HessianMode mode, VecX& g,
                    SparseMatrix& h, double& energy) {
   constexpr int kSize = Term::kSize;
   Vec<kSize> ql, gl;
@@ -92,6 +92,9 @@ void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, Ve
     const double e = term.eval(k, ql, &gl, &hl);
     energy += e;
     scale_ += std::abs(e);
+    if constexpr (requires { term.convexify(k, ql, hl); }) {
+      if (mode == HessianMode::convexified) term.convexify(k, ql, hl);
+    }
     if (!map_.simple) {
       scatter_general(term, k, gl, hl, g, h);
       continue;
@@ -105,7 +108,7 @@ void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, Ve
   }
 }
 
-double Assembly::derivatives(const YarnForces& forces, const VecX& q, VecX& g, SparseMatrix& h) {
+double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h) {
   g.setZero(map_.num_dofs);
   h.pattern = pattern_;
   h.values.assign(pattern_->row.size(), 0.0);
@@ -113,7 +116,7 @@ double Assembly::derivatives(const YarnForces& forces, const VecX& q, VecX& g, S
   energies_.fill(0.0);
   for_each_term(forces, [&](const auto& term, int i) {
     const auto t = static_cast<std::size_t>(i);
-    add(term, stencils_[t], q, g, h, energies_[t]);
+    add(term, stencils_[t], q, mode, g, h, energies_[t]);
   });
   double sum = 0.0;
   for (double e : energies_) sum += e;

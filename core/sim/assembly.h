@@ -19,7 +19,7 @@ class Assembly {
 
   double value(const YarnForces& forces, const VecX& q);
   /// g (num_dofs) and h in the unknowns; returns the value.
-  double derivatives(const YarnForces& forces, const VecX& q, VecX& g, SparseMatrix& h);
+  double derivatives(const YarnForces& forces, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h);
 
   const std::shared_ptr<const SparsePattern>& pattern() const { return pattern_; }
   double scale() const { return scale_; }  // sum of |stencil energies| of the last value or derivatives
@@ -34,7 +34,7 @@ class Assembly {
   template <class Term>
   void place(const Term& term, Stencils& stencils) const;
   template <class Term>
-  void add(const Term& term, const Stencils& stencils, const VecX& q, VecX& g, SparseMatrix& h,
+  void add(const Term& term, const Stencils& stencils, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
            double& energy);
   template <class Term>
   void scatter_general(const Term& term, int k, const Vec<Term::kSize>& gl, const Mat<Term::kSize>& hl, VecX& g,

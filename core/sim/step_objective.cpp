@@ -30,10 +30,10 @@ double StepObjective::value(const VecX& y) {
   return assembly_.value(forces_, q_);
 }
 
-double StepObjective::derivatives(const VecX& y, VecX& g, SparseMatrix& h) {
+double StepObjective::derivatives(const VecX& y, HessianMode mode, VecX& g, SparseMatrix& h) {
   const Stopwatch watch(wall_["assembly"]);
   expand(map_, y, q_);
-  return assembly_.derivatives(forces_, q_, g, h);
+  return assembly_.derivatives(forces_, q_, mode, g, h);
 }
 
 double StepObjective::max_step(const VecX& y, const VecX& dy) {

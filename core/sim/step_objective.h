@@ -32,7 +32,7 @@ class StepObjective final : public Objective {
       : forces_(forces), map_(map), assembly_(assembly), topology_(topology), wall_(wall) {}
 
   double value(const VecX& y) override;
-  double derivatives(const VecX& y, VecX& g, SparseMatrix& h) override;
+  double derivatives(const VecX& y, HessianMode mode, VecX& g, SparseMatrix& h) override;
   double max_step(const VecX& y, const VecX& dy) override;
   double value_scale() const override { return assembly_.scale(); }
 

@@ -9,6 +9,7 @@ namespace {
 constexpr double kArmijo = 1e-4;
 constexpr int kMaxBacktracks = 40;
 constexpr int kMaxFlatIterations = 12;  // iterations without visible decrease before the search counts as stalled
+constexpr int kRetryExactAfter = 3;
 constexpr double kFirstShift = 1e-8;    // of the mean diagonal
 constexpr double kShiftGrowth = 8.0;    // after a failed factorisation
 constexpr double kShiftDecay = 4.0;     // after a definite one
@@ -18,7 +19,9 @@ struct Workspace {
   VecX gradient, step, trial;
   SparseMatrix hessian;
   double value = 0.0;
-  double shift = 0.0;  // on the diagonal, in units of its mean
+  double shift_used = 0.0;   // in the present direction
+  double shift = 0.0;        // on the diagonal, in units of its mean
+  int convexified_left = 0;  // iterations before the exact Hessian is tried again
 };
 
 double mean_diagonal(const SparseMatrix& h) {
@@ -39,23 +42,46 @@ void add_to_diagonal(SparseMatrix& h, double shift) {
 LinearStatus factor_definite(LinearSolver& solver, Workspace& w, double least_shift, NewtonReport& report) {
   const double mean = mean_diagonal(w.hessian);
   double added = 0.0;
-  for (w.shift = std::max(w.shift < kFirstShift ? 0.0 : w.shift, least_shift);; ) {
+  w.shift = std::max(w.shift / kShiftDecay, least_shift);
+  if (w.shift < kFirstShift) w.shift = least_shift;
+  for (;;) {
     add_to_diagonal(w.hessian, w.shift * mean - added);
     added = w.shift * mean;
     ++report.factorizations;
     const LinearStatus status = solver.factor(w.hessian);
-    if (w.shift > least_shift) ++report.shifted_hessians;
-    if (status != LinearStatus::not_positive_definite || w.shift >= kLargestShift) return status;
+    if (status != LinearStatus::not_positive_definite || w.shift >= kLargestShift) {
+      w.shift_used = w.shift;
+      if (w.shift > least_shift) ++report.shifted_hessians;
+      return status;
+    }
     w.shift = std::max(kFirstShift, kShiftGrowth * w.shift);
   }
 }
 
-LinearStatus direction(LinearSolver& solver, Workspace& w, double least_shift, NewtonReport& report) {
-  LinearStatus status = factor_definite(solver, w, least_shift, report);
+void evaluate(Objective& objective, const VecX& x, HessianMode mode, Workspace& w) {
+  w.value = objective.derivatives(x, mode, w.gradient, w.hessian);
+}
+
+/// The exact Hessian if it is definite, else the convexified one, shifted as far as it takes.
+LinearStatus direction(Objective& objective, LinearSolver& solver, const VecX& x, double least_shift, Workspace& w,
+                       NewtonReport& report) {
+  LinearStatus status = LinearStatus::not_positive_definite;
+  if (w.convexified_left == 0) {
+    if (least_shift > 0.0) add_to_diagonal(w.hessian, least_shift * mean_diagonal(w.hessian));
+    ++report.factorizations;
+    status = solver.factor(w.hessian);
+    w.shift_used = 0.0;
+    if (status == LinearStatus::not_positive_definite) {
+      w.convexified_left = kRetryExactAfter;
+      evaluate(objective, x, HessianMode::convexified, w);
+    }
+  } else {
+    --w.convexified_left;
+  }
+  if (status == LinearStatus::not_positive_definite) status = factor_definite(solver, w, least_shift, report);
   if (status != LinearStatus::ok) return status;
   status = solver.solve(w.gradient, w.step);
   w.step = -w.step;
-  w.shift /= kShiftDecay;
   return status;
 }
 
@@ -104,16 +130,16 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
   };
   for (; report.iterations < options.max_iterations; ++report.iterations) {
     if (options.should_stop && options.should_stop()) return done(NewtonStatus::cancelled);
-    w.value = objective.derivatives(x, w.gradient, w.hessian);
+    evaluate(objective, x, w.convexified_left > 0 ? HessianMode::convexified : HessianMode::exact, w);
     if (!std::isfinite(w.value) || !w.gradient.allFinite()) return done(NewtonStatus::not_finite);
     report.max_gradient = w.gradient.size() ? w.gradient.cwiseAbs().maxCoeff() : 0.0;
     if (report.max_gradient <= options.gradient_tolerance) return done(NewtonStatus::converged);
-    if (direction(solver, w, options.relative_shift, report) != LinearStatus::ok)
+    if (direction(objective, solver, x, options.relative_shift, w, report) != LinearStatus::ok)
       return done(NewtonStatus::linear_failure);
     report.max_step = w.step.cwiseAbs().maxCoeff();
     const Search search = line_search(objective, x, w, report);
     if (search == Search::failed) return done(NewtonStatus::stalled);
-    if (report.max_step <= options.step_tolerance && w.shift < kFirstShift) {
+    if (report.max_step <= options.step_tolerance && w.shift_used <= options.relative_shift) {
       ++report.iterations;
       return done(NewtonStatus::converged);
     }

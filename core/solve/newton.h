@@ -8,13 +8,18 @@
 
 namespace slipstitch {
 
+enum class HessianMode {
+  exact,
+  convexified  // without known negative parts, where that is cheap; still not definite in general
+};
+
 /// A smooth function of n unknowns with a sparse Hessian.
 class Objective {
  public:
   virtual ~Objective() = default;
   virtual double value(const VecX& x) = 0;
   /// Returns the value; fills g (n) and the values of h on its pattern.
-  virtual double derivatives(const VecX& x, VecX& g, SparseMatrix& h) = 0;
+  virtual double derivatives(const VecX& x, HessianMode mode, VecX& g, SparseMatrix& h) = 0;
   /// Largest a in (0, 1] such that x + a dx keeps what must never be broken.
   virtual double max_step(const VecX& x, const VecX& dx) = 0;
   /// Magnitude of the terms summed in value(): its round-off is about 1e-16 times this.
