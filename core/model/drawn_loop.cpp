@@ -13,11 +13,11 @@ constexpr double kReach = 0.75;
 
 // Ends of the zone in which two loops touch, half distances between left and right clasp by the wale pitch and height
 // by the course pitch. The zone is longer than the piece between the crossings of the centrelines (0.33, 0.20, 0.34):
-// with that short piece flat stockinette at alpha = 1 is unstable against its clasps straightening one by one (lowest
-// eigenvalue of the relaxed repeat -203 N/m), with this one it is stable (+43 N/m).
-constexpr double kClaspP1X = 0.395;
-constexpr double kClaspP2X = 0.104;
-constexpr double kClaspP2Y = 0.443;
+// with that short piece flat stockinette is unstable against its clasps straightening one by one (lowest eigenvalue of
+// the relaxed repeat -203 N/m at alpha = 1, against +43 N/m with a long zone).
+constexpr double kClaspP1X = 0.37;
+constexpr double kClaspP2X = 0.10;
+constexpr double kClaspP2Y = 0.60;
 
 double across(double t) { return (t + kLean * std::sin(2.0 * t)) / (2.0 * kPi); }  // x / W
 
