@@ -38,7 +38,7 @@ ParallelContact::ParallelContact(const Model& model) {
   const std::vector<bool> contact = contact_visits(topology);
   for_each_owned_segment(topology, [&](int, int i) {
     const auto s = static_cast<std::size_t>(i);
-    if (topology.segment_kind[s] != SegmentKind::free || !contact[s] || !contact[s + 1]) return;
+    if (topology.segment_kind[s] != SegmentKind::free || (!contact[s] && !contact[s + 1])) return;
     const double rest = rest_length(topology, i);
     coords_.push_back({topology.arc_coord(i), topology.arc_coord(i + 1)});
     rest_.push_back(rest);

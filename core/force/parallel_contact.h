@@ -13,7 +13,7 @@ namespace slipstitch {
 /// C1: the Hessian jumps at D = d.
 double parallel_contact_energy(double k_c, double L, double d, const Vec<2>& q, Vec<2>* g, Mat<2>* hess);
 
-/// Keeps neighbouring contacts of one yarn apart: free segments whose two ends are contacts or guides.
+/// Keeps neighbouring contacts of one yarn apart: free segments with a contact or guide at an end.
 class ParallelContact {
  public:
   static constexpr int kSize = 2;

@@ -66,7 +66,7 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   TimedSolver solver(*solver_, wall_, linear_solves_);
   VecX y;
   restrict_to_dofs(map_, state_.q, y);
-  if (!quasi_static()) objective.use_better_start(y, h, state_.v);
+  if (!quasi_static()) objective.extrapolate(y, h, state_.v);
 
   NewtonOptions options;
   options.max_iterations = numerics.max_newton_iterations;

@@ -57,13 +57,12 @@ bool StepObjective::turns_too_far(const VecX& q, const VecX& dq, double a) const
   return false;
 }
 
-void StepObjective::use_better_start(VecX& y, double h, const VecX& v) {
+void StepObjective::extrapolate(VecX& y, double h, const VecX& v) {
   VecX guess = y;
   for (int c = 0; c < map_.num_coords(); ++c)
     if (const int d = map_.dof_of(c); d >= 0) guess[d] += h * v[c];
   guess = y + max_step(y, guess - y) * (guess - y);
-  const double stay = value(y), move = value(guess);
-  if (std::isfinite(move) && move < stay) y = guess;
+  if (std::isfinite(value(guess))) y = guess;
 }
 
 }  // namespace slipstitch

@@ -36,8 +36,9 @@ class StepObjective final : public Objective {
   double max_step(const VecX& y, const VecX& dy) override;
   double value_scale() const override { return assembly_.scale(); }
 
-  /// Moves y along h v if that lowers the value.
-  void use_better_start(VecX& y, double h, const VecX& v);
+  /// Moves y along h v, as far as the step limits allow. The guess may stretch yarn that turns; Newton removes that
+  /// in one iteration, and has less turning left to do.
+  void extrapolate(VecX& y, double h, const VecX& v);
 
  private:
   bool turns_too_far(const VecX& q, const VecX& dq, double a) const;
