@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "solve/newton.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "dense_matrix.h"
+
+namespace slipstitch::testing {
+namespace {
+
+/// A function given by lambdas, with a dense Hessian.
+class Function : public Objective {
+ public:
+  explicit Function(int n) : pattern_(full_pattern(n)) {}
+  double value(const VecX& x) override {
+    ++values;
+    return f(x);
+  }
+  double derivatives(const VecX& x, HessianMode, VecX& g, SparseMatrix& h) override {
+    ++evaluations;
+    g = gradient(x);
+    h.pattern = pattern_;
+    set_values(hessian(x), h);
+    return f(x);
+  }
+  double max_step(const VecX& x, const VecX& dx) override { return limit ? limit(x, dx) : 1.0; }
+  double value_scale() const override { return scale; }
+
+  std::function<double(const VecX&)> f;
+  std::function<VecX(const VecX&)> gradient;
+  std::function<Eigen::MatrixXd(const VecX&)> hessian;
+  std::function<double(const VecX&, const VecX&)> limit;
+  double scale = 1.0;
+  int values = 0, evaluations = 0;
+
+ private:
+  std::shared_ptr<const SparsePattern> pattern_;
+};
+
+/// 1/2 x^T A x - b^T x.
+Function quadratic(const Eigen::MatrixXd& a, const VecX& b) {
+  Function q(static_cast<int>(b.size()));
+  q.f = [=](const VecX& x) { return 0.5 * x.dot(a * x) - b.dot(x); };
+  q.gradient = [=](const VecX& x) -> VecX { return a * x - b; };
+  q.hessian = [=](const VecX&) { return a; };
+  return q;
+}
+
+/// (1 - x)^2 + 100 (y - x^2)^2, minimum at (1, 1), indefinite above the parabola.
+Function rosenbrock() {
+  Function r(2);
+  r.f = [](const VecX& x) { return std::pow(1.0 - x[0], 2) + 100.0 * std::pow(x[1] - x[0] * x[0], 2); };
+  r.gradient = [](const VecX& x) -> VecX {
+    const double d = x[1] - x[0] * x[0];
+    return Vec<2>(-2.0 * (1.0 - x[0]) - 400.0 * x[0] * d, 200.0 * d);
+  };
+  r.hessian = [](const VecX& x) -> Eigen::MatrixXd {
+    Mat<2> h;
+    h << 2.0 - 400.0 * (x[1] - 3.0 * x[0] * x[0]), -400.0 * x[0], -400.0 * x[0], 200.0;
+    return h;
+  };
+  r.scale = 10.0;
+  return r;
+}
+
+/// 1/4 (x^2 - 1)^2 + 1/2 y^2: minima at x = +-1, a saddle between them.
+Function double_well() {
+  Function d(2);
+  d.f = [](const VecX& x) { return 0.25 * std::pow(x[0] * x[0] - 1.0, 2) + 0.5 * x[1] * x[1]; };
+  d.gradient = [](const VecX& x) -> VecX { return Vec<2>(x[0] * (x[0] * x[0] - 1.0), x[1]); };
+  d.hessian = [](const VecX& x) -> Eigen::MatrixXd {
+    return Vec<2>(3.0 * x[0] * x[0] - 1.0, 1.0).asDiagonal().toDenseMatrix();
+  };
+  return d;
+}
+
+NewtonReport minimise(Objective& objective, const NewtonOptions& options, VecX& x) {
+  const auto solver = make_cholmod_solver();
+  return newton(objective, *solver, options, x);
+}
+
+NewtonOptions until_gradient(double tolerance) {
+  NewtonOptions options;
+  options.gradient_tolerance = tolerance;
+  return options;
+}
+
+TEST(Newton, SolvesAQuadraticInOneStep) {
+  Mat<3> a;
+  a << 4, 1, 0, 1, 3, -1, 0, -1, 2;
+  const Vec3 b(1.0, -2.0, 0.5);
+  Function q = quadratic(a, b);
+  VecX x = Vec3(10.0, 20.0, -30.0);
+  const NewtonReport report = minimise(q, until_gradient(1e-11), x);
+  EXPECT_EQ(report.status, NewtonStatus::converged);
+  EXPECT_EQ(report.iterations, 1);
+  EXPECT_EQ(report.factorizations, 1);
+  EXPECT_LT((a * x - b).norm(), 1e-11);
+}
+
+TEST(Newton, StopsOnTheStepToo) {
+  Function r = rosenbrock();
+  NewtonOptions options;
+  options.step_tolerance = 1e-2;
+  VecX x = Vec<2>(-1.2, 1.0);
+  const NewtonReport report = minimise(r, options, x);
+  EXPECT_EQ(report.status, NewtonStatus::converged);
+  EXPECT_LE(report.max_step, 1e-2);
+  EXPECT_GT(report.max_gradient, 0.0);
+  EXPECT_LT((x - Vec<2>(1.0, 1.0)).norm(), 1e-3);
+}
+
+// Where every energy is zero a step far below the tolerance cannot lower the value any more.
+TEST(Newton, AcceptsASmallStepThatRoundOffHides) {
+  Function flat = quadratic(Mat3::Identity(), Vec3::Zero());
+  flat.f = [](const VecX&) { return 0.0; };
+  flat.scale = 0.0;
+  NewtonOptions options;
+  options.step_tolerance = 1e-10;
+  VecX x = Vec3(1e-18, 0.0, -1e-18);
+  EXPECT_EQ(minimise(flat, options, x).status, NewtonStatus::converged);
+}
+
+TEST(Newton, FindsTheMinimumOfACurvedValley) {
+  Function r = rosenbrock();
+  VecX x = Vec<2>(-1.2, 1.0);
+  const NewtonReport report = minimise(r, until_gradient(1e-10), x);
+  EXPECT_EQ(report.status, NewtonStatus::converged);
+  EXPECT_LT((x - Vec<2>(1.0, 1.0)).norm(), 1e-9);
+}
+
+TEST(Newton, LeavesAnIndefiniteStartForAMinimum) {
+  for (const double start : {0.1, -0.1, 0.5}) {
+    Function d = double_well();
+    VecX x = Vec<2>(start, 2.0);
+    const NewtonReport report = minimise(d, until_gradient(1e-12), x);
+    EXPECT_EQ(report.status, NewtonStatus::converged) << start;
+    EXPECT_GT(report.shifted_hessians, 0) << start;
+    EXPECT_NEAR(std::abs(x[0]), 1.0, 1e-11) << start;
+    EXPECT_NEAR(x[1], 0.0, 1e-11) << start;
+  }
+}
+
+TEST(Newton, NeverStepsPastTheLimit) {
+  Function q = quadratic(Mat3::Identity(), Vec3(1.0, 0.0, 0.0));
+  double farthest = 0.0;
+  q.limit = [&](const VecX& x, const VecX& dx) { return x[0] + dx[0] > 0.5 ? (0.5 - x[0]) / dx[0] * 0.9 : 1.0; };
+  q.f = [&, f = q.f](const VecX& x) {
+    farthest = std::max(farthest, x[0]);
+    return f(x);
+  };
+  VecX x = Vec3::Zero();
+  const NewtonReport report = minimise(q, until_gradient(1e-10), x);
+  EXPECT_NE(report.status, NewtonStatus::converged);
+  EXPECT_LE(farthest, 0.5);
+  EXPECT_NEAR(x[0], 0.5, 1e-6);
+}
+
+TEST(Newton, CancelsBeforeTheNextIteration) {
+  Function r = rosenbrock();
+  NewtonOptions options = until_gradient(1e-14);
+  int polls = 0;
+  options.should_stop = [&] { return ++polls > 3; };
+  VecX x = Vec<2>(-1.2, 1.0);
+  const NewtonReport report = minimise(r, options, x);
+  EXPECT_EQ(report.status, NewtonStatus::cancelled);
+  EXPECT_EQ(report.iterations, 3);
+  EXPECT_LE(r.evaluations, 3 + report.shifted_hessians);
+}
+
+TEST(Newton, SaysWhenItRunsOutOfIterations) {
+  Function r = rosenbrock();
+  NewtonOptions options = until_gradient(1e-12);
+  options.max_iterations = 2;
+  VecX x = Vec<2>(-1.2, 1.0);
+  EXPECT_EQ(minimise(r, options, x).status, NewtonStatus::too_many_iterations);
+}
+
+TEST(Newton, SaysWhenTheLineSearchFails) {
+  Function wrong = quadratic(Mat3::Identity(), Vec3::Ones());
+  wrong.gradient = [](const VecX& x) -> VecX { return Vec3::Ones() - x; };  // uphill
+  VecX x = Vec3::Zero();
+  EXPECT_EQ(minimise(wrong, until_gradient(1e-10), x).status, NewtonStatus::stalled);
+  EXPECT_EQ(x, VecX(Vec3::Zero()));
+}
+
+TEST(Newton, SaysWhenTheValueIsNotFinite) {
+  Function bad = quadratic(Mat3::Identity(), Vec3::Ones());
+  bad.f = [](const VecX&) { return std::numeric_limits<double>::quiet_NaN(); };
+  VecX x = Vec3::Zero();
+  EXPECT_EQ(minimise(bad, until_gradient(1e-10), x).status, NewtonStatus::not_finite);
+}
+
+TEST(Newton, BacksOffFromWhereTheValueIsNotFinite) {
+  Function log_barrier(1);  // x - log x, minimum at 1, infinite at and below 0
+  log_barrier.f = [](const VecX& x) {
+    return x[0] > 0.0 ? x[0] - std::log(x[0]) : std::numeric_limits<double>::infinity();
+  };
+  log_barrier.gradient = [](const VecX& x) -> VecX { return Vec<1>(1.0 - 1.0 / x[0]); };
+  log_barrier.hessian = [](const VecX& x) -> Eigen::MatrixXd { return Mat<1>(1.0 / (x[0] * x[0])); };
+  VecX x = Vec<1>(5.0);  // the full Newton step leads to -15
+  EXPECT_EQ(minimise(log_barrier, until_gradient(1e-12), x).status, NewtonStatus::converged);
+  EXPECT_NEAR(x[0], 1.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace slipstitch::testing
