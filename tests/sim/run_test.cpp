@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "sim/run.h"
+
+#include "sim_scenes.h"
+
+namespace slipstitch::testing {
+namespace {
+
+Scene short_run() {
+  Scene scene = hanging_yarn();
+  scene.duration_s = 0.1;
+  scene.frames_per_s = 40.0;
+  scene.numerics = FixedNumerics{.time_step_s = 1.0 / 100};
+  return scene;
+}
+
+TEST(Run, FillsTheSummary) {
+  const RunSummary summary = run(short_run(), 3, {});
+  EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;
+  EXPECT_EQ(summary.scene, "hanging yarn");
+  EXPECT_EQ(summary.loops, 0);
+  EXPECT_EQ(summary.nodes, 5);
+  EXPECT_EQ(summary.dofs, 12);
+  EXPECT_EQ(summary.effects, (std::vector<std::string>{"inertia", "gravity", "stretch", "bending"}));
+  EXPECT_NEAR(summary.sim_time_s, 0.1, 1e-12);
+  EXPECT_GT(summary.wall_s, 0.0);
+  EXPECT_EQ(summary.frames, 5);
+  EXPECT_EQ(summary.steps, 12);  // three a frame, so that frames fall on steps
+  EXPECT_EQ(summary.rejected_steps, 0);
+  EXPECT_GE(summary.newton_iterations, summary.steps);
+  EXPECT_GE(summary.factorizations, summary.newton_iterations);
+  EXPECT_GE(summary.linear_iterations, summary.newton_iterations);
+  EXPECT_GT(summary.residual, 0.0);
+  EXPECT_LE(summary.residual, 1e-4);
+  EXPECT_EQ(summary.residual_unit, "m/s");
+  EXPECT_EQ(summary.energy_j.size(), 4U);
+  EXPECT_TRUE(summary.wall_by_phase_s.contains("factor"));
+  EXPECT_TRUE(summary.max_stretch.has_value());
+  EXPECT_NEAR(summary.min_arc_gap_ratio.value_or(0.0), 1.0, 1e-12);
+  EXPECT_EQ(summary.state_hash.size(), 16U);
+  EXPECT_EQ(summary.threads, 3);
+  EXPECT_FALSE(summary.linear_solver.empty());
+  // not measured in this scene
+  EXPECT_FALSE(summary.max_slid_m.has_value());
+  EXPECT_FALSE(summary.faded_wrap_share.has_value());
+  EXPECT_FALSE(summary.error_estimate_m.has_value());
+}
+
+TEST(Run, GivesTheHeaderOnceAndFramesInOrder) {
+  int headers = 0;
+  std::vector<Frame> frames;
+  RunHooks hooks;
+  hooks.on_header = [&](const FrameHeader& header) {
+    ++headers;
+    EXPECT_TRUE(frames.empty());
+    EXPECT_EQ(header.num_frames, 5);
+    EXPECT_EQ(header.topology.num_nodes, 5);
+    EXPECT_EQ(header.frames_per_s, 40.0);
+  };
+  hooks.on_frame = [&](const Frame& frame) { frames.push_back(frame); };
+  run(short_run(), 1, hooks);
+  EXPECT_EQ(headers, 1);
+  ASSERT_EQ(frames.size(), 5U);
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    EXPECT_EQ(frames[k].index, static_cast<int>(k));
+    EXPECT_NEAR(frames[k].t, static_cast<double>(k) / 40.0, 1e-12);
+  }
+  EXPECT_EQ(frames[0].q, compile(short_run(), nullptr).start_q);
+  EXPECT_LT(frames[4].q[13], frames[3].q[13]);  // the free end falls
+}
+
+TEST(Run, StopsWhenAsked) {
+  RunHooks hooks;
+  int frames = 0;
+  hooks.on_frame = [&](const Frame&) { ++frames; };
+  hooks.should_stop = [&] { return frames >= 2; };
+  const RunSummary summary = run(short_run(), 1, hooks);
+  EXPECT_EQ(summary.status, RunStatus::cancelled);
+  EXPECT_EQ(summary.frames, 2);
+  EXPECT_LT(summary.sim_time_s, 0.05);
+}
+
+TEST(Run, FailsWithAReasonWhenNoStepConverges) {
+  Scene scene = short_run();
+  auto& numerics = std::get<FixedNumerics>(scene.numerics);
+  numerics.max_newton_iterations = 1;
+  numerics.velocity_tolerance_m_per_s = 1e-15;
+  numerics.smallest_step_s = 1e-3;
+  const RunSummary summary = run(scene, 1, {});
+  EXPECT_EQ(summary.status, RunStatus::failed);
+  EXPECT_GT(summary.rejected_steps, 0);
+  EXPECT_EQ(summary.steps, 0);
+  EXPECT_EQ(summary.frames, 1);
+  EXPECT_NE(summary.message.find("too many Newton iterations"), std::string::npos) << summary.message;
+}
+
+TEST(Run, RefusesAccuracyNumericsForNow) {
+  Scene scene = short_run();
+  scene.numerics = AccuracyNumerics{1e-4};
+  const RunSummary summary = run(scene, 1, {});
+  EXPECT_EQ(summary.status, RunStatus::failed);
+  EXPECT_EQ(summary.message, "accuracy numerics are not supported yet");
+}
+
+TEST(Run, MeasuresSlidingAndReportsNewtonsWhenQuasiStatic) {
+  Scene scene = crossed_yarns();
+  scene.effects.inertia.reset();
+  scene.handles = {held(1, 0), held(1, -1), held(0, 0), held(0, -1)};
+  scene.handles.back().motion = {{0.1, {0.02, 0.0, 0.0}, Vec3::Zero()}};
+  scene.duration_s = 0.1;
+  scene.numerics = FixedNumerics{.force_tolerance_n = 1e-9, .max_newton_iterations = 300};
+  const RunSummary summary = run(scene, 1, {});
+  ASSERT_EQ(summary.status, RunStatus::succeeded) << summary.message;
+  EXPECT_EQ(summary.residual_unit, "N");
+  EXPECT_LE(summary.residual, 1e-9);
+  EXPECT_GT(summary.max_slid_m.value_or(0.0), 1e-4);
+  EXPECT_LE(summary.mean_slid_m.value_or(1.0), summary.max_slid_m.value_or(0.0));
+}
+
+TEST(Run, PlansTheFramesThatFitIntoTheDuration) {
+  EXPECT_EQ(planned_frames(2.0, 30.0), 61);
+  EXPECT_EQ(planned_frames(0.0, 30.0), 1);
+  EXPECT_EQ(planned_frames(0.1, 30.0), 4);
+  EXPECT_EQ(planned_frames(0.0999, 30.0), 3);
+}
+
+}  // namespace
+}  // namespace slipstitch::testing

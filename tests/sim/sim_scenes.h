@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "model/scene.h"
+
+namespace slipstitch::testing {
+
+inline Handle held(int yarn, int point, bool fix_arc_length = false) {
+  return Handle{YarnPoint{yarn, point}, {}, fix_arc_length};
+}
+
+/// A yarn of four pieces, 0.2 m long, held at its first point, horizontal at the start.
+inline Scene hanging_yarn() {
+  Scene scene;
+  scene.name = "hanging yarn";
+  BareYarn yarn;
+  for (int i = 0; i < 5; ++i) yarn.points.push_back({0.05 * i, 0.0, 0.0});
+  scene.yarns = {yarn};
+  scene.handles = {held(0, 0)};
+  scene.yarn = {.radius_m = 1e-3, .linear_density_kg_per_m = 1e-2, .stretch_n = 5.0, .bending_nm2 = 1e-5};
+  scene.effects.inertia.emplace();
+  scene.effects.gravity.emplace();
+  scene.effects.stretch.emplace();
+  scene.effects.bending.emplace();
+  return scene;
+}
+
+/// Two yarns of four pieces that cross at their middles.
+inline Scene crossed_yarns() {
+  Scene scene = hanging_yarn();
+  BareYarn other;
+  for (int i = 0; i < 5; ++i) other.points.push_back({0.1, 0.0, 0.05 * (i - 2)});
+  scene.yarns.push_back(other);
+  scene.crossings = {{0, 2, 1, 2}};
+  scene.effects.sliding.emplace();
+  return scene;
+}
+
+/// A free swatch with every effect of a knit but gravity.
+inline Scene free_swatch(int courses, int wales) {
+  Scene scene;
+  scene.name = "swatch";
+  Issues issues;
+  scene.knit.emplace().pattern = pattern_from_preset({"stockinette", courses, wales}, false, "preset", issues);
+  EXPECT_TRUE(issues.empty());
+  scene.knit->gauge.course_spacing_m = 2.9e-3;
+  scene.knit->gauge.wale_spacing_m = 2.03e-3;
+  scene.knit->noise_m = 5e-5;
+  scene.effects.inertia.emplace();
+  scene.effects.stretch.emplace();
+  scene.effects.bending.emplace();
+  scene.effects.bending_jamming.emplace();
+  scene.effects.wrapping.emplace();
+  scene.effects.contact_length.emplace();
+  scene.effects.parallel_contact.emplace();
+  scene.effects.sliding.emplace();
+  scene.effects.sliding_friction.emplace();
+  scene.effects.damping = DampingEffect{1e-3, 1e-10, 1e-6, 1e-3};
+  scene.duration_s = 0.04;
+  return scene;
+}
+
+}  // namespace slipstitch::testing
