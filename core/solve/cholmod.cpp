@@ -13,6 +13,11 @@ class CholmodSolver final : public LinearSolver {
     cholmod_start(&common_);
     common_.print = 0;
     common_.quick_return_if_not_posdef = 1;
+    // On sheets of yarn nested dissection takes 2.3 times fewer operations than the minimum degree that CHOLMOD would
+    // settle for (40 x 40 loops: 1.4e9 against 3.2e9).
+    common_.nmethods = 1;
+    common_.method[0].ordering = CHOLMOD_METIS;
+    common_.postorder = 1;
 #ifdef SLIPSTITCH_NO_SUPERNODAL
     common_.supernodal = CHOLMOD_SIMPLICIAL;
     common_.final_ll = 1;
