@@ -30,7 +30,10 @@ void switch_all_on(v1::Effects& effects) {
   effects.mutable_parallel_contact();
   effects.mutable_sliding();
   effects.mutable_sliding_friction();
-  effects.mutable_damping();
+  v1::DampingEffect& damping = *effects.mutable_damping();  // a tenth of a second against EI and k_w
+  damping.set_bending_nm2s(4.5e-9);
+  damping.set_wrapping_ns(3e-3);
+  damping.set_sliding_ns_per_m(0.01);
 }
 
 }  // namespace
