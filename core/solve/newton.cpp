@@ -118,6 +118,7 @@ class Watchdog {
   /// Moves x by the direction in w. Returns what the search at the reference point gave.
   Search advance(Objective& objective, VecX& x, const Workspace& w, NewtonReport& report) {
     const double slope = w.gradient.dot(w.step);
+    turned_back_ = false;
     if (left_ > 0 && w.value <= value_ + kArmijo * a_ * slope_) left_ = 0;
     if (left_ > 0) {
       const double a = objective.max_step(x, w.step);
@@ -127,6 +128,7 @@ class Watchdog {
         return Search::decreased;
       }
       left_ = 0;
+      turned_back_ = true;
       x = x_;
       return line_search(objective, x, step_, value_, slope_, 0.5 * a_, report);
     }
@@ -146,12 +148,14 @@ class Watchdog {
     x = trial;
     return Search::decreased;
   }
-  bool watching() const { return left_ > 0; }
+  /// Whether x is where the direction in w led: neither on trial nor back at the reference point.
+  bool settled() const { return left_ == 0 && !turned_back_; }
 
  private:
   VecX x_, step_;  // where the value last was lowest, and the direction there
   double value_ = 0.0, slope_ = 0.0, a_ = 1.0;
   int left_ = 0;
+  bool turned_back_ = false;
 };
 
 }  // namespace
@@ -188,7 +192,7 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
     report.max_step = w.step.cwiseAbs().maxCoeff();
     const Search search = watchdog.advance(objective, x, w, report);
     // A small step ends the search even if round-off hides its decrease, as where every energy is zero.
-    if (report.max_step <= options.step_tolerance && w.shift_used <= kAcceptedShift && !watchdog.watching()) {
+    if (report.max_step <= options.step_tolerance && w.shift_used <= kAcceptedShift && watchdog.settled()) {
       ++report.iterations;
       return done(NewtonStatus::converged);
     }

@@ -144,6 +144,23 @@ TEST(Newton, LeavesAnIndefiniteStartForAMinimum) {
   }
 }
 
+// A full step over a ridge ends in a basin higher than the start. What is small there says nothing about where the
+// search goes on after it has turned back.
+TEST(Newton, DoesNotCallTheWayBackConverged) {
+  Function f(1);
+  f.f = [](const VecX& x) { return x[0] < 0.5 ? 0.5 * std::pow(x[0] - 0.3, 2) : 5.0 + 0.5 * std::pow(x[0] - 1.0, 2); };
+  f.gradient = [](const VecX& x) -> VecX {
+    if (x[0] < 0.5) return Vec<1>(x[0] - 0.3);
+    return Vec<1>(x[0] - 1.0 + (x[0] < 1.0 ? -1e-14 : 1e-14));  // round-off that never vanishes
+  };
+  f.hessian = [](const VecX& x) -> Eigen::MatrixXd { return Mat<1>(x[0] == 0.0 ? 0.3 : 1.0); };
+  NewtonOptions options;
+  options.step_tolerance = 1e-10;
+  VecX x = Vec<1>(0.0);
+  EXPECT_EQ(minimise(f, options, x).status, NewtonStatus::converged);
+  EXPECT_NEAR(x[0], 0.3, 1e-10);
+}
+
 TEST(Newton, NeverStepsPastTheLimit) {
   Function q = quadratic(Mat3::Identity(), Vec3(1.0, 0.0, 0.0));
   double farthest = 0.0;
