@@ -127,10 +127,7 @@ class Watchdog {
         x = trial;
         return Search::decreased;
       }
-      left_ = 0;
-      turned_back_ = true;
-      x = x_;
-      return line_search(objective, x, step_, value_, slope_, 0.5 * a_, report);
+      return turn_back(objective, x, report);
     }
     if (!(slope < 0.0)) return slope == 0.0 ? Search::flat : Search::failed;
     const double a = objective.max_step(x, w.step);
@@ -148,6 +145,14 @@ class Watchdog {
     x = trial;
     return Search::decreased;
   }
+  /// Gives up the trial and searches from the reference point along its direction. Only while watching.
+  Search turn_back(Objective& objective, VecX& x, NewtonReport& report) {
+    left_ = 0;
+    turned_back_ = true;
+    x = x_;
+    return line_search(objective, x, step_, value_, slope_, 0.5 * a_, report);
+  }
+  bool watching() const { return left_ > 0; }
   /// Whether x is where the direction in w led: neither on trial nor back at the reference point.
   bool settled() const { return left_ == 0 && !turned_back_; }
 
@@ -187,8 +192,11 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
     if (!std::isfinite(w.value) || !w.gradient.allFinite()) return done(NewtonStatus::not_finite);
     report.max_gradient = w.gradient.size() ? w.gradient.cwiseAbs().maxCoeff() : 0.0;
     if (report.max_gradient <= options.gradient_tolerance) return done(NewtonStatus::converged);
-    if (direction(objective, solver, x, options.relative_shift, w, report) != LinearStatus::ok)
-      return done(NewtonStatus::linear_failure);
+    if (direction(objective, solver, x, options.relative_shift, w, report) != LinearStatus::ok) {
+      if (!watchdog.watching()) return done(NewtonStatus::linear_failure);
+      if (watchdog.turn_back(objective, x, report) == Search::failed) return done(NewtonStatus::stalled);
+      continue;
+    }
     report.max_step = w.step.cwiseAbs().maxCoeff();
     const Search search = watchdog.advance(objective, x, w, report);
     // A small step ends the search even if round-off hides its decrease, as where every energy is zero.

@@ -161,6 +161,20 @@ TEST(Newton, DoesNotCallTheWayBackConverged) {
   EXPECT_NEAR(x[0], 0.3, 1e-10);
 }
 
+TEST(Newton, TurnsBackFromATrialThatCannotBeFactored) {
+  Function f(2);
+  f.f = [](const VecX& x) { return x[0] < 0.5 ? 0.5 * (x - Vec<2>(0.3, 0.0)).squaredNorm() : 5.0; };
+  f.gradient = [](const VecX& x) -> VecX { return x[0] < 0.5 ? Vec<2>(x - Vec<2>(0.3, 0.0)) : Vec<2>(1.0, 1.0); };
+  f.hessian = [](const VecX& x) -> Eigen::MatrixXd {
+    Mat<2> h = (x[0] == 0.0 ? 0.3 : 1.0) * Mat<2>::Identity();
+    if (x[0] >= 0.5) h(0, 1) = h(1, 0) = 1000.0;  // indefinite beyond any shift tried
+    return h;
+  };
+  VecX x = Vec<2>(0.0, 0.0);
+  EXPECT_EQ(minimise(f, until_gradient(1e-12), x).status, NewtonStatus::converged);
+  EXPECT_NEAR(x[0], 0.3, 1e-12);
+}
+
 TEST(Newton, NeverStepsPastTheLimit) {
   Function q = quadratic(Mat3::Identity(), Vec3(1.0, 0.0, 0.0));
   double farthest = 0.0;
