@@ -28,7 +28,8 @@ double wrap_excess(double psi, double rest);  // psi - rest in (-pi, pi]
 inline bool wrap_in_cap(double t) { return t > kPi - kWrapCapWidth || t < kWrapCapWidth - kPi; }
 
 /// A wrap that fades with offset 0 gives up its energy and so draws the yarn straight; with -pi^2/6, minus the mean
-/// of t^2/2 over the circle, it does not on average.
+/// of t^2/2 over the circle, it does not on average. The default leaves fewer faded wraps on free swatches and rests
+/// in fewer iterations.
 enum class WrapFadeForm { plain, no_net_attraction };
 
 /// Both diagonals of every stitch contact. k_w L with L the rest arc length of yarn u in the contact, the same for both
@@ -38,7 +39,7 @@ class Wrapping {
   static constexpr int kSize = 12;
   static constexpr std::string_view kName = "wrapping";
 
-  explicit Wrapping(const Model& model, WrapFadeForm form = WrapFadeForm::plain);
+  explicit Wrapping(const Model& model, WrapFadeForm form = WrapFadeForm::no_net_attraction);
   int size() const { return static_cast<int>(coords_.size()); }
   std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
