@@ -47,7 +47,7 @@ inline Scene free_swatch(int courses, int wales) {
   EXPECT_TRUE(issues.empty());
   scene.knit->gauge.course_spacing_m = 2.9e-3;
   scene.knit->gauge.wale_spacing_m = 2.03e-3;
-  scene.knit->noise_m = 5e-5;
+  scene.knit->noise_m = 1e-5;
   scene.effects.inertia.emplace();
   scene.effects.stretch.emplace();
   scene.effects.bending.emplace();
