@@ -15,10 +15,6 @@ constexpr double kFirstShift = 1e-8;    // of the mean diagonal
 constexpr double kShiftGrowth = 8.0;    // after a failed factorisation
 constexpr double kShiftDecay = 4.0;     // after a definite one
 constexpr double kLargestShift = 10.0;
-// A small last step counts as converged up to this shift: it is too small to hide an error in any stiff direction, and
-// near an unstable equilibrium the Hessian stays indefinite however well the gradient vanishes.
-constexpr double kAcceptedShift = 1e-4;
-
 struct Workspace {
   VecX gradient, step;
   SparseMatrix hessian;
@@ -199,10 +195,14 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
     }
     report.max_step = w.step.cwiseAbs().maxCoeff();
     const Search search = watchdog.advance(objective, x, w, report);
-    // A small step ends the search even if round-off hides its decrease, as where every energy is zero.
-    if (report.max_step <= options.step_tolerance && w.shift_used <= kAcceptedShift && watchdog.settled()) {
-      ++report.iterations;
-      return done(NewtonStatus::converged);
+    // A small step ends the search even if round-off hides its decrease, as where every energy is zero; but not a step
+    // that a shift made small: soft directions, such as arc lengths that only their own mass holds, may be far off.
+    if (report.max_step <= options.step_tolerance && watchdog.settled()) {
+      if (w.shift_used <= options.relative_shift) {
+        ++report.iterations;
+        return done(NewtonStatus::converged);
+      }
+      w.convexified_left = 0;  // try the exact Hessian next
     }
     if (search == Search::failed) return done(NewtonStatus::stalled);
     flat = search == Search::flat ? flat + 1 : 0;
