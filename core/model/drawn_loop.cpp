@@ -13,12 +13,12 @@ constexpr double kReach = 0.75;
 
 // Ends of the zone in which two loops touch, half distances between left and right clasp by the wale pitch and height
 // by the course pitch. Chosen among 150 drawn zones for free swatches at alpha = 1: tall stockinette curls back, wide
-// stockinette to the front with no yarn straight through an inner contact, 1x1 rib narrows to 0.74. The piece between
-// the crossings of the centrelines, (0.33, 0.20, 0.34), is too short: half of the inner wraps end straight. Zones with
-// higher or closer ends, such as (0.34, 0.07, 0.52), make wide swatches roll sideways.
-constexpr double kClaspP1X = 0.349;
-constexpr double kClaspP2X = 0.042;
-constexpr double kClaspP2Y = 0.424;
+// stockinette to the front with hardly a yarn straight through an inner contact, garter lies flat, 1x1 rib narrows to
+// 0.75. The piece between the crossings of the centrelines, (0.33, 0.20, 0.34), is too short: half of the inner wraps
+// end straight. Zones like (0.34, 0.07, 0.52) make wide swatches roll sideways, (0.35, 0.04, 0.42) wide garter.
+constexpr double kClaspP1X = 0.386;
+constexpr double kClaspP2X = 0.030;
+constexpr double kClaspP2Y = 0.482;
 
 double across(double t) { return (t + kLean * std::sin(2.0 * t)) / (2.0 * kPi); }  // x / W
 

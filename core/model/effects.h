@@ -32,8 +32,8 @@ struct BendingJammingEffect {
 
 /// V = 1/2 k_w L t(psi - s psi0)^2 on both diagonals of every stitch contact.
 struct WrappingEffect {
-  double alpha = 1.0;                 // k_w = alpha EI / L^2, >= 0; used when stiffness_n is absent. At 0.4 a free 1x1
-                                      // rib is 0.84 of stockinette's width, at 1 it is 0.6 (tests/knit)
+  double alpha = 1.0;                 // k_w = alpha EI / L^2, >= 0; used when stiffness_n is absent. Curl and ribs
+                                      // of tests/knit hold at 1; at 0.4 a free 1x1 rib is 0.8 of stockinette's width
   std::optional<double> stiffness_n;  // k_w per diagonal [N], >= 0
   double rest_angle_rad = kPi / 2;    // psi0, in [0, pi)
 };
