@@ -112,7 +112,7 @@ int simulate(const SimulateOptions& options) {
     bar.clear();
     note("Stopping after this step; Ctrl-C again ends at once.");
   });
-  const int threads = options.threads > 0 ? options.threads : jobs::default_threads(1);
+  const int threads = options.threads > 0 ? options.threads : jobs::kDefaultThreads;
   set_blas_threads(threads);
   std::optional<RunDir> dir;
   if (!options.out.empty()) {

@@ -3,10 +3,8 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <string_view>
-#include <thread>
 
 #include "platform/blas.h"
 
@@ -15,10 +13,6 @@ namespace slipstitch::jobs {
 std::string blas_core_for_jobs() {
   const char* chosen = std::getenv("OPENBLAS_CORETYPE");
   return chosen != nullptr ? std::string(chosen) : best_blas_core().value_or(std::string());
-}
-
-int default_threads(int slots) {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / std::max(1, slots));
 }
 
 std::vector<std::string> worker_environment(const JobInfo& job) {

@@ -30,7 +30,7 @@ jobs::Outcome<std::unique_ptr<jobs::JobStore>> open_store(const ServerOptions& o
   if (!executor) return executor.error();
   jobs::Outcome<jobs::DataDir> data = jobs::DataDir::open(options.data_dir);
   if (!data) return data.error();
-  const jobs::StoreOptions store{options.slots, options.queue, jobs::default_threads(options.slots),
+  const jobs::StoreOptions store{options.slots, options.queue, jobs::kDefaultThreads,
                                  jobs::blas_core_for_jobs()};
   std::vector<std::string> warnings;
   auto opened = std::make_unique<jobs::JobStore>(std::move(*data), store, std::move(*executor), warnings);
