@@ -161,7 +161,9 @@ Swatch bring_to_rest(Model model) {
 
 Swatch swatch_at_rest(const SwatchSpec& spec) { return bring_to_rest(flat_swatch(spec)); }
 
-double curvature_across_wales(const Swatch& swatch, int group) { return median_curvature(grouped(swatch, group), 0, 1); }
+double curvature_across_wales(const Swatch& swatch, int group) {
+  return median_curvature(grouped(swatch, group), 0, 1);
+}
 
 double curvature_along_wales(const Swatch& swatch, int group) { return median_curvature(grouped(swatch, group), 1, 0); }
 

@@ -33,8 +33,8 @@ Model flat_swatch(const SwatchSpec& spec);
 /// Loop centres (means of a stitch's 8 nodes) of a swatch at rest.
 struct Swatch {
   int courses = 0, wales = 0;
-  std::vector<Vec3> centres;  // course by course
-  RunSummary measured;        // residual, shares of faded wraps
+  std::vector<Vec3> centres;          // course by course
+  RunSummary measured;                // residual, shares of faded wraps
   std::vector<double> faded_by_wale;  // share of faded wraps in the courses from the third to the last but two
   VecX q;
 
