@@ -12,7 +12,7 @@ constexpr double kLean = 0.9823;
 constexpr double kReach = 0.75;
 
 // Ends of the zone in which two loops touch, half distances between left and right clasp by the wale pitch and height
-// by the course pitch. Chosen among 150 drawn zones for free swatches at alpha = 1: tall stockinette curls back, wide
+// by the course pitch. Chosen among about 100 drawn zones for free swatches at alpha = 1: tall stockinette curls back, wide
 // stockinette to the front with hardly a yarn straight through an inner contact, garter lies flat, 1x1 rib narrows to
 // 0.75. The piece between the crossings of the centrelines, (0.33, 0.20, 0.34), is too short: half of the inner wraps
 // end straight. Zones like (0.34, 0.07, 0.52) make wide swatches roll sideways, (0.35, 0.04, 0.42) wide garter.
