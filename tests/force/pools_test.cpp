@@ -20,7 +20,7 @@ TEST(Pools, CoverEverySegmentBendAndDiagonalOnce) {
   EXPECT_EQ(BendingJamming(model).size(), 8);
   EXPECT_EQ(Wrapping(model).size(), 4);
   EXPECT_EQ(ContactLength(model).size(), 4);
-  EXPECT_EQ(ParallelContact(model).size(), 2);  // visits 2-3 of yarn A and 8-9 of yarn B
+  EXPECT_EQ(ParallelContact(model).size(), 6);  // free segments with a contact at one end or both
 }
 
 TEST(Pools, LeaveOutWhatAnotherCopyOfThePeriodOwns) {
@@ -34,7 +34,7 @@ TEST(Pools, LeaveOutWhatAnotherCopyOfThePeriodOwns) {
   EXPECT_EQ(BendingJamming(model).size(), 4);
   EXPECT_EQ(Wrapping(model).size(), 2);
   EXPECT_EQ(ContactLength(model).size(), 2);
-  EXPECT_EQ(ParallelContact(model).size(), 1);
+  EXPECT_EQ(ParallelContact(model).size(), 3);
 }
 
 TEST(Pools, LeaveOutTheDiagonalThatLacksAnOuterNode) {
@@ -80,7 +80,7 @@ TEST(Pools, WrapStiffnessIsAlphaEIOverSquaredRestLengthUnlessGiven) {
 
 TEST(Pools, NeighbouringContactsKeepApartByTheirDiameterOrShareOfTheRestLength) {
   Model model = everything_on();
-  const double rest = rest_length(model.topology, 2);
+  const double rest = rest_length(model.topology, ParallelContact(model).coords(0)[0] - model.topology.arc_coord(0));
   const double k_c = model.yarn.stretch_n / std::pow(2 * model.yarn.radius_m, 2);
   const auto energy = [&](double gap) { return ParallelContact(model).eval(0, Vec<2>(0.0, gap), nullptr, nullptr); };
   for (double radius : {0.2e-3, 5e-3}) {  // diameter below and above 0.7 rest
