@@ -99,7 +99,7 @@ class Run {
   /// grows back by one doubling an accepted step.
   RunStatus advance_to(Simulation& sim, Monitor& monitor, double end) {
     const double frame = 1.0 / scene_.frames_per_s;
-    const double largest = frame / std::ceil(frame / numerics_.time_step_s - 1e-9);
+    const double largest = frame / std::ceil(frame / numerics_.time_step_s * (1.0 - 1e-6));
     if (step_ == 0.0) step_ = largest;
     while (end - sim.state().t > 1e-9 * frame) {
       const double remaining = end - sim.state().t;
