@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "force/bend_geometry.h"
 
+#include <algorithm>
 #include <array>
 
 namespace slipstitch {
 namespace {
 
+constexpr double kSmallestSine = 1e-12;  // keeps the cone at theta = pi finite
 constexpr std::array<int, 3> kX{0, 4, 7};  // x2, x0, x1
 constexpr int kU2 = 3, kU1 = 10;
 
@@ -17,6 +19,16 @@ Vec<9> to_nodes(const Vec<6>& d) {
 }
 
 }  // namespace
+
+SquaredAngle squared_angle(const Cosine& cosine, double theta) {
+  if (theta < 0.05) {  // Taylor in theta^2; the closed forms cancel
+    const double x = theta * theta;
+    return {-2.0 * (1.0 + x * (1.0 / 6 + x * (7.0 / 360 + x * (31.0 / 15120 + x * 127.0 / 604800)))),
+            2.0 / 3 + x * (4.0 / 15 + x * (4.0 / 63 + x * (8.0 / 675 + x * 4.0 / 2079)))};
+  }
+  const double s = std::max(cosine.s, kSmallestSine);
+  return {-2.0 * theta / s, 2.0 * (s - theta * cosine.c) / (s * s * s)};
+}
 
 void bend_derivatives(const BendFunction& f, const Cosine& cosine, Vec<11>* g, Mat<11>* hess) {
   const Vec<6> dc = cosine.gradient();

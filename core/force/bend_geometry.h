@@ -18,6 +18,12 @@ inline Cosine bend_cosine(const Vec<11>& q) {
 }
 inline double bend_arc(const Vec<11>& q) { return q[10] - q[3]; }
 
+/// First and second derivative of theta^2 by c = cos theta.
+struct SquaredAngle {
+  double c = 0.0, cc = 0.0;
+};
+SquaredAngle squared_angle(const Cosine& cosine, double theta);
+
 /// Chain rule from (c, W) to x2, u2, x0, x1, u1. g and hess may be null.
 void bend_derivatives(const BendFunction& f, const Cosine& cosine, Vec<11>* g, Mat<11>* hess);
 

@@ -21,20 +21,6 @@ double stretch_of(const Vec<8>& q) { return (q.segment<3>(4) - q.segment<3>(0)).
 
 double smoothed_angle(double theta) { return std::hypot(theta, DampingBending::kSmoothing); }
 
-/// dtheta^2/dc and d2theta^2/dc2 by theta; series below 0.05 rad, where sin theta cancels.
-struct SquaredAngle {
-  double c, cc;
-};
-SquaredAngle squared_angle(double theta) {
-  if (theta < 0.05) {
-    const double x = theta * theta;
-    return {-2.0 * (1.0 + x * (1.0 / 6 + x * (7.0 / 360 + x * (31.0 / 15120 + x * 127.0 / 604800)))),
-            2.0 / 3 + x * (4.0 / 15 + x * (4.0 / 63 + x * (8.0 / 675 + x * 4.0 / 2079)))};
-  }
-  const double s = std::max(std::sin(theta), 1e-9);
-  return {-2.0 * theta / s, 2.0 * (s - theta * std::cos(theta)) / (s * s * s)};
-}
-
 }  // namespace
 
 DampingStretch::DampingStretch(const Model& model) {
@@ -101,7 +87,7 @@ double DampingBending::eval(int k, const Vec<11>& q, Vec<11>* g, Mat<11>* hess) 
   const double theta = cosine.theta(), m = smoothed_angle(theta), change = m - start_[i];
   const double eta = 2.0 * eta_by_length_[i] / h_;  // E = 1/2 eta change^2
   if (g || hess) {
-    const SquaredAngle square = squared_angle(theta);
+    const SquaredAngle square = squared_angle(cosine, theta);
     const double mc = square.c / (2.0 * m);  // m = sqrt(theta^2 + const)
     const double mcc = square.cc / (2.0 * m) - square.c * square.c / (4.0 * m * m * m);
     BendFunction f;
