@@ -46,6 +46,13 @@ TEST(Run, FillsTheSummary) {
   EXPECT_FALSE(summary.error_estimate_m.has_value());
 }
 
+TEST(Run, TakesAStepWrittenToSixDigitsForTheOneMeant) {
+  Scene scene = short_run();
+  scene.frames_per_s = 30.0;
+  scene.numerics = FixedNumerics{.time_step_s = 0.00833333};  // 1/120
+  EXPECT_EQ(run(scene, 1, {}).steps, 12);                     // four a frame, three frames
+}
+
 TEST(Run, GivesTheHeaderOnceAndFramesInOrder) {
   int headers = 0;
   std::vector<Frame> frames;
