@@ -62,7 +62,7 @@ std::optional<LoadedScene> load(const SceneOptions& options) {
 }
 
 void add_threads_option(CLI::App& app, int& threads) {
-  app.add_option("--threads", threads, "Threads of the solver; default: one per core")
+  app.add_option("--threads", threads, "Threads of the solver's dense blocks; default: 1")
       ->type_name("N")
       ->check(in_range(1, 1024));
 }
