@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace slipstitch {
 namespace {
@@ -60,6 +61,26 @@ void bend_derivatives(const BendFunction& f, const Cosine& cosine, Vec<11>* g, M
     (*hess)(kU1, kU1) = (*hess)(kU2, kU2) = f.WW;
     (*hess)(kU1, kU2) = (*hess)(kU2, kU1) = -f.WW;
   }
+}
+
+void convex_bend_hessian(const ConvexBend& f, const Cosine& cosine, double theta, Mat<11>& hess) {
+  const bool straight = !(cosine.s > kSmallestSine);
+  const Vec3 e1 = straight ? cosine.t1.unitOrthogonal() : Vec3(cosine.s1 / cosine.s);  // across t1, in the plane
+  const Vec3 e2 = straight ? Vec3(-e1) : Vec3(cosine.s2 / cosine.s);                   // across t2, in the plane
+  const Vec3 n = straight ? cosine.t1.cross(e1) : Vec3(cosine.t1.cross(cosine.t2) / cosine.s);
+  const auto turning = [&](const Vec3& a, const Vec3& b, double arc) {
+    Vec<6> d;
+    d << a / cosine.l1, b / cosine.l2;
+    const Vec<9> x = to_nodes(d);
+    Vec<11> v;
+    v << x.head<3>(), arc, x.tail<6>(), -arc;
+    return v;
+  };
+  const Vec<11> in_plane = turning(-e1, -e2, f.arc), out_of_plane = turning(n, -n, 0.0);
+  // slope cot(theta/2)/2, which tends to slope/theta at 0
+  const double normal = theta > kSmallestSine ? 0.5 * std::max(f.slope, 0.0) / std::tan(0.5 * theta) : f.second;
+  hess = (f.second * in_plane) * in_plane.transpose();
+  hess += (normal * out_of_plane) * out_of_plane.transpose();
 }
 
 }  // namespace slipstitch

@@ -27,4 +27,12 @@ SquaredAngle squared_angle(const Cosine& cosine, double theta);
 /// Chain rule from (c, W) to x2, u2, x0, x1, u1. g and hess may be null.
 void bend_derivatives(const BendFunction& f, const Cosine& cosine, Vec<11>* g, Mat<11>* hess);
 
+/// The parts of the Hessian of V(theta, W) that are never negative. Sliding along either segment is left out.
+struct ConvexBend {
+  double second = 0.0;  // d2V/dtheta2 >= 0
+  double slope = 0.0;   // dV/dtheta; stiffens the yarn against bending out of its plane by slope cot(theta/2)/2
+  double arc = 0.0;     // theta/W where V = W G(theta/W), 0 where V does not depend on W
+};
+void convex_bend_hessian(const ConvexBend& f, const Cosine& cosine, double theta, Mat<11>& hess);
+
 }  // namespace slipstitch

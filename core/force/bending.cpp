@@ -31,6 +31,13 @@ double bending_energy(double k_b, const Vec<11>& q, Vec<11>* g, Mat<11>* hess) {
   return f.value;
 }
 
+void Bending::convex_hessian(int, const Vec<11>& q, Mat<11>& hess) const {
+  const double W = bend_arc(q), k = 2.0 * k_b_ / W;
+  const Cosine cosine = bend_cosine(q);
+  const double theta = cosine.theta();
+  convex_bend_hessian({k, k * theta, theta / W}, cosine, theta, hess);
+}
+
 Bending::Bending(const Model& model) : k_b_(model.yarn.bending_nm2) {
   if (!model.effects.bending) return;
   for_each_owned_bend(model.topology, [&](int, int i) { coords_.push_back(bend_coords(model.topology, i)); });

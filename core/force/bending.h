@@ -27,6 +27,7 @@ class Bending {
   double eval(int, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
     return bending_energy(k_b_, q, g, hess);
   }
+  void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
   void begin_step(const StepContext&) {}
 
  private:

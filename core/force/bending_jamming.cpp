@@ -22,11 +22,14 @@ Jet2 jamming_factor(const JammingParameters& p, double kappa_j, double kappa) {
   return {std::expm1(a * S.f), f * d, f * (d * d + a * S.dd * slope * slope)};
 }
 
-// With kappa = 2 theta/W the energy is k_b/4 (f - 1) kappa^2 W = W G(kappa).
-BendFunction jammed_bend(double k_b, const Jet2& f, double theta, double kappa, double W, const Cosine& cosine) {
+// k_b/4 (f - 1) kappa^2 as a function of kappa = 2 theta/W; the energy is W times this.
+Jet2 jamming_density(double k_b, const Jet2& f, double kappa) {
   const double k = 0.25 * k_b;
-  const Jet2 G{k * f.f * kappa * kappa, k * (f.d * kappa * kappa + 2.0 * f.f * kappa),
-               k * (f.dd * kappa * kappa + 4.0 * f.d * kappa + 2.0 * f.f)};
+  return {k * f.f * kappa * kappa, k * (f.d * kappa * kappa + 2.0 * f.f * kappa),
+          k * (f.dd * kappa * kappa + 4.0 * f.d * kappa + 2.0 * f.f)};
+}
+
+BendFunction jammed_bend(const Jet2& G, double theta, double kappa, double W, const Cosine& cosine) {
   const double d_theta = 2.0 * G.d;        // dV/dtheta
   const double dd_theta = 4.0 * G.dd / W;  // d2V/dtheta2
   const double dd_mixed = -2.0 * theta * 2.0 * G.dd / (W * W);
@@ -54,9 +57,20 @@ double bending_jamming_energy(const JammingParameters& p, double kappa_j, const 
     if (hess) hess->setZero();
     return ordered ? 0.0 : std::numeric_limits<double>::infinity();
   }
-  const BendFunction b = jammed_bend(p.k_b, jamming_factor(p, kappa_j, kappa), theta, kappa, W, cosine);
+  const Jet2 G = jamming_density(p.k_b, jamming_factor(p, kappa_j, kappa), kappa);
+  const BendFunction b = jammed_bend(G, theta, kappa, W, cosine);
   if (g || hess) bend_derivatives(b, cosine, g, hess);
   return b.value;
+}
+
+void BendingJamming::convex_hessian(int k, const Vec<11>& q, Mat<11>& hess) const {
+  const double kappa_j = kappa_j_[static_cast<std::size_t>(k)], W = bend_arc(q);
+  const Cosine cosine = bend_cosine(q);
+  const double theta = cosine.theta(), kappa = 2.0 * theta / W;
+  hess.setZero();
+  if (!(kappa > kappa_j)) return;
+  const Jet2 G = jamming_density(parameters_.k_b, jamming_factor(parameters_, kappa_j, kappa), kappa);
+  convex_bend_hessian({std::max(0.0, 4.0 * G.dd / W), 2.0 * G.d, theta / W}, cosine, theta, hess);
 }
 
 BendingJamming::BendingJamming(const Model& model) {

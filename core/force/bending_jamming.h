@@ -32,6 +32,7 @@ class BendingJamming {
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
     return bending_jamming_energy(parameters_, kappa_j_[static_cast<std::size_t>(k)], q, g, hess);
   }
+  void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
   void begin_step(const StepContext&) {}
 
  private:

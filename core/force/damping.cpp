@@ -65,6 +65,15 @@ double DampingStretch::eval(int k, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) con
   return 0.5 * eta * change * change;
 }
 
+void DampingStretch::convex_hessian(int k, const Vec<8>& q, Mat<8>& hess) const {
+  const auto i = static_cast<std::size_t>(k);
+  const Vec3 d = q.segment<3>(4) - q.segment<3>(0);
+  const double D = q[7] - q[3], lambda = d.norm() / D;
+  Vec<8> slope;
+  slope << -d / d.norm(), lambda, d / d.norm(), -lambda;
+  hess = (eta_length_[i] / (h_ * D * D) * slope) * slope.transpose();
+}
+
 DampingBending::DampingBending(const Model& model) {
   if (!model.effects.damping || !(model.effects.damping->bending_nm2s > 0.0)) return;
   for_each_owned_bend(model.topology, [&](int, int i) {
@@ -98,6 +107,14 @@ double DampingBending::eval(int k, const Vec<11>& q, Vec<11>* g, Mat<11>* hess) 
   return 0.5 * eta * change * change;
 }
 
+void DampingBending::convex_hessian(int k, const Vec<11>& q, Mat<11>& hess) const {
+  const auto i = static_cast<std::size_t>(k);
+  const Cosine cosine = bend_cosine(q);
+  const double theta = cosine.theta(), m = smoothed_angle(theta), slope = theta / m;
+  const double eta = 2.0 * eta_by_length_[i] / h_;
+  convex_bend_hessian({eta * slope * slope, eta * (m - start_[i]) * slope, 0.0}, cosine, theta, hess);
+}
+
 DampingWrapping::DampingWrapping(const Model& model) {
   if (!model.effects.damping || !(model.effects.damping->wrapping_ns > 0.0)) return;
   const Wrapping wraps(model);
@@ -119,6 +136,11 @@ void DampingWrapping::begin_step(const StepContext& step) {
 double DampingWrapping::eval(int k, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) const {
   const auto i = static_cast<std::size_t>(k);
   return wrapping_energy(eta_length_[i] / h_, start_[i], 0.0, q, g, hess);
+}
+
+void DampingWrapping::convex_hessian(int k, const Vec<12>& q, Mat<12>& hess) const {
+  const auto i = static_cast<std::size_t>(k);
+  convex_wrapping_hessian(eta_length_[i] / h_, start_[i], q, hess);
 }
 
 DampingSliding::DampingSliding(const Model& model) {

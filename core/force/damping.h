@@ -23,6 +23,7 @@ class DampingStretch {
   int size() const { return static_cast<int>(coords_.size()); }
   std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
+  void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
   void begin_step(const StepContext& step);
 
  private:
@@ -39,12 +40,13 @@ class DampingBending {
  public:
   static constexpr int kSize = 11;
   static constexpr std::string_view kName = "damping_bending";
-  static constexpr double kSmoothing = 0.1;  // [rad]
+  static constexpr double kSmoothing = 0.5;  // [rad]
 
   explicit DampingBending(const Model& model);
   int size() const { return static_cast<int>(coords_.size()); }
   std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
+  void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
   void begin_step(const StepContext& step);
 
  private:
@@ -65,6 +67,7 @@ class DampingWrapping {
   int size() const { return static_cast<int>(coords_.size()); }
   std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
+  void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
   void begin_step(const StepContext& step);
 
  private:

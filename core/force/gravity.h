@@ -24,6 +24,7 @@ class Gravity {
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
     return gravity_energy(rho_[static_cast<std::size_t>(k)], acceleration_, q, g, hess);
   }
+  void convex_hessian(int, const Vec<kSize>&, Mat<kSize>& hess) const { hess.setZero(); }
   void begin_step(const StepContext&) {}
 
  private:

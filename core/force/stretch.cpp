@@ -8,47 +8,67 @@
 
 namespace slipstitch {
 
+namespace {
+
+struct Segment {
+  double D, length, lambda;
+  Vec3 t;
+
+  explicit Segment(const Vec<8>& q) : D(q[7] - q[3]) {
+    const Vec3 d = q.segment<3>(4) - q.segment<3>(0);
+    length = d.norm();
+    lambda = length / D;
+    t = d / std::max(length, 1e-12 * D);
+  }
+  /// D times the derivative of lambda.
+  Vec<8> slope() const {
+    Vec<8> a;
+    a << -t, lambda, t, -lambda;
+    return a;
+  }
+};
+
+Mat<8> stretch_hessian(double k_s, double tension, const Segment& s) {
+  const Vec<8> a = s.slope();
+  Mat<8> hess = (k_s / s.D * a) * a.transpose();
+  const Mat3 turn = (tension / std::max(s.length, 1e-12 * s.D)) * (Mat3::Identity() - s.t * s.t.transpose());
+  hess.block<3, 3>(0, 0) += turn;
+  hess.block<3, 3>(4, 4) += turn;
+  hess.block<3, 3>(0, 4) -= turn;
+  hess.block<3, 3>(4, 0) -= turn;
+  return hess;
+}
+
+}  // namespace
+
 double stretch_energy(double k_s, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) {
-  const Vec3 d = q.segment<3>(4) - q.segment<3>(0);
-  const double D = q[7] - q[3];
-  if (!(D > 0.0)) {
+  if (!(q[7] > q[3])) {
     if (g) g->setZero();
     if (hess) hess->setZero();
     return std::numeric_limits<double>::infinity();
   }
-  const double length = d.norm();
-  const double strain = (length - D) / D;
-  if (g || hess) {
-    const double safe_length = std::max(length, 1e-12 * D);
-    const Vec3 t = d / safe_length;
-    const double lambda = length / D;
-    if (g) {
-      const double force = k_s * strain;
-      const double arc_force = 0.5 * k_s * strain * (lambda + 1.0);
-      *g << -force * t, arc_force, force * t, -arc_force;
-    }
-    if (hess) {
-      Vec<8> a;
-      a << -t, lambda, t, -lambda;
-      hess->noalias() = (k_s / D * a) * a.transpose();
-      const Mat3 turn = (k_s * strain / safe_length) * (Mat3::Identity() - t * t.transpose());
-      hess->block<3, 3>(0, 0) += turn;
-      hess->block<3, 3>(4, 4) += turn;
-      hess->block<3, 3>(0, 4) -= turn;
-      hess->block<3, 3>(4, 0) -= turn;
-    }
+  const Segment s(q);
+  const double tension = k_s * ((s.length - s.D) / s.D);
+  if (g) {
+    const double arc_force = 0.5 * tension * (s.lambda + 1.0);
+    *g << -tension * s.t, arc_force, tension * s.t, -arc_force;
   }
-  return 0.5 * k_s * D * strain * strain;
+  if (hess) *hess = stretch_hessian(k_s, tension, s);
+  return 0.5 * tension * (s.length - s.D);
 }
 
-void Stretch::convexify(int, const Vec<8>& q, Mat<8>& hess) const {
-  const Vec3 d = q.segment<3>(4) - q.segment<3>(0);
-  const double D = q[7] - q[3], length = d.norm();
-  if (!(length < D) || !(length > 0.0)) return;
-  const double lambda = length / D;
-  Vec<8> a;
-  a << -d / length, lambda, d / length, -lambda;
-  hess.noalias() = (k_s_ / D * a) * a.transpose();
+double Stretch::stress(int, const Vec<8>& q, const Vec<8>& dq) const {
+  const Segment s(q);
+  return k_s_ * (s.lambda - 1.0 + s.slope().dot(dq) / s.D);
+}
+
+void Stretch::hessian_at(int, const Vec<8>& q, double tension, Mat<8>& hess) const {
+  hess = stretch_hessian(k_s_, tension, Segment(q));
+}
+
+void Stretch::convex_hessian(int, const Vec<8>& q, Mat<8>& hess) const {
+  const Segment s(q);
+  hess = stretch_hessian(k_s_, std::max(0.0, k_s_ * (s.lambda - 1.0)), s);
 }
 
 Stretch::Stretch(const Model& model) : k_s_(model.yarn.stretch_n) {

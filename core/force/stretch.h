@@ -27,8 +27,11 @@ class Stretch {
     return stretch_energy(k_s_, q, g, hess);
   }
   void begin_step(const StepContext&) {}
-  /// Drops the geometric stiffness of a segment under compression, the one negative part of its Hessian.
-  void convexify(int, const Vec<kSize>& q, Mat<kSize>& hess) const;
+  /// Tension k_s (|d|/D - 1) [N], extrapolated.
+  double stress(int k, const Vec<kSize>& q, const Vec<kSize>& dq) const;
+  void hessian_at(int k, const Vec<kSize>& q, double tension, Mat<kSize>& hess) const;
+  /// Without the geometric stiffness of a segment under compression.
+  void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
 
  private:
   double k_s_ = 0.0;                            // [N]

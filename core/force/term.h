@@ -29,4 +29,18 @@ concept ForceTerm = requires(T& term, const T& cterm, int k, const StepContext& 
   { term.begin_step(step) } -> std::same_as<void>;        // lag what the step treats as constant
 };
 
+/// convex_hessian: the Hessian without what can be negative, positive semidefinite. A term without one has a Hessian
+/// that never is indefinite.
+template <class T>
+concept HasConvexHessian = requires(const T& cterm, int k, const Vec<T::kSize>& q, Mat<T::kSize>& hess) {
+  { cterm.convex_hessian(k, q, hess) } -> std::same_as<void>;
+};
+
+/// For V = f(s(q)): stress is f', extrapolated linearly from q by dq; hessian_at is f'' ds ds^T + stress dds.
+template <class T>
+concept HasStress = requires(const T& cterm, int k, const Vec<T::kSize>& q, double stress, Mat<T::kSize>& hess) {
+  { cterm.stress(k, q, q) } -> std::same_as<double>;
+  { cterm.hessian_at(k, q, stress, hess) } -> std::same_as<void>;
+};
+
 }  // namespace slipstitch

@@ -69,6 +69,15 @@ double wrapping_energy(double k, double rest, double offset, const Vec<12>& q, V
   return k * fade * E.f;
 }
 
+void convex_wrapping_hessian(double k, double rest, const Vec<12>& q, Mat<12>& hess) {
+  const double fade = wrap_fade(node(q, 0), node(q, 1), node(q, 2), node(q, 3));
+  hess.setZero();
+  if (!(fade > 0.0)) return;
+  Vec<12> dpsi;
+  const double psi = wrap_angle_derivatives(q, &dpsi, nullptr);
+  hess = (k * fade * std::max(0.0, wrap_well(wrap_excess(psi, rest)).dd)) * dpsi * dpsi.transpose();
+}
+
 Wrapping::Wrapping(const Model& model, WrapFadeForm form)
     : offset_(form == WrapFadeForm::no_net_attraction ? -kPi * kPi / 6.0 : 0.0) {
   const auto& effect = model.effects.wrapping;

@@ -20,6 +20,9 @@ double bare_wrapping_energy(double k, double rest, const Vec<12>& q, Vec<12>* g,
 /// S = wrap_fade, E = wrap_well. The derivatives are exact also where it fades.
 double wrapping_energy(double k, double rest, double offset, const Vec<12>& q, Vec<12>* g, Mat<12>* hess);
 
+/// k S E''(t) dpsi dpsi^T, the part that is never negative.
+void convex_wrapping_hessian(double k, double rest, const Vec<12>& q, Mat<12>& hess);
+
 /// t^2/2 for |t| <= pi - 0.1; from there E' = t (1 - smoothstep) falls to 0 at +-pi, so that E, periodic, is C2 there.
 Jet2 wrap_well(double t);
 inline constexpr double kWrapCapWidth = 0.1;
@@ -45,6 +48,10 @@ class Wrapping {
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
     const auto i = static_cast<std::size_t>(k);
     return wrapping_energy(stiffness_[i], rest_angle_[i], offset_, q, g, hess);
+  }
+  void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const {
+    const auto i = static_cast<std::size_t>(k);
+    convex_wrapping_hessian(stiffness_[i], rest_angle_[i], q, hess);
   }
   void begin_step(const StepContext&) {}
 

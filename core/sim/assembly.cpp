@@ -26,32 +26,49 @@ std::vector<int> unknowns(const DofMap& map, const std::array<int, N>& coords) {
   return {dofs.begin(), dofs.end()};
 }
 
+template <class Term>
+Vec<Term::kSize> gather(const Term& term, int k, const VecX& q) {
+  Vec<Term::kSize> local;
+  const auto coords = term.coords(k);
+  for (std::size_t i = 0; i < coords.size(); ++i) local[static_cast<Eigen::Index>(i)] = q[coords[i]];
+  return local;
+}
+
 }  // namespace
 
-Assembly::Assembly(const YarnForces& forces, const DofMap& map) : map_(map) {
+Assembly::Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils) : map_(map) {
   std::vector<std::vector<int>> cliques;
-  for_each_term(forces, [&](const auto& term, int) {
-    for (int k = 0; k < term.size(); ++k) cliques.push_back(unknowns(map_, term.coords(k)));
+  for_each_term(forces, [&](const auto& term, int i) {
+    Pool& pool = pools_[static_cast<std::size_t>(i)];
+    select(term, stencils, pool);
+    for (int k : pool.stencil) cliques.push_back(unknowns(map_, term.coords(k)));
   });
   pattern_ = make_pattern(map_.num_dofs, cliques);
   if (!map_.simple) return;
-  for_each_term(forces, [&](const auto& term, int i) { place(term, stencils_[static_cast<std::size_t>(i)]); });
+  for_each_term(forces, [&](const auto& term, int i) { place(term, pools_[static_cast<std::size_t>(i)]); });
 }
 
 template <class Term>
-void Assembly::place(const Term& term, Stencils& stencils) const {
-  stencils.dofs.reserve(static_cast<std::size_t>(term.size()) * Term::kSize);
-  stencils.slots.reserve(static_cast<std::size_t>(term.size()) * Term::kSize * (Term::kSize + 1) / 2);
-  for (int k = 0; k < term.size(); ++k) {
+void Assembly::select(const Term& term, Stencils stencils, Pool& pool) const {
+  for (int k = 0; k < term.size(); ++k)
+    if (stencils == Stencils::all || !unknowns(map_, term.coords(k)).empty()) pool.stencil.push_back(k);
+  if constexpr (HasStress<Term>) pool.stress.assign(pool.stencil.size(), 0.0);
+}
+
+template <class Term>
+void Assembly::place(const Term& term, Pool& pool) const {
+  pool.dofs.reserve(pool.stencil.size() * Term::kSize);
+  pool.slots.reserve(pool.stencil.size() * Term::kSize * (Term::kSize + 1) / 2);
+  for (int k : pool.stencil) {
     std::array<int, Term::kSize> dofs;
     const auto coords = term.coords(k);
     for (std::size_t i = 0; i < Term::kSize; ++i) dofs[i] = map_.dof_of(coords[i]);
-    stencils.dofs.insert(stencils.dofs.end(), dofs.begin(), dofs.end());
+    pool.dofs.insert(pool.dofs.end(), dofs.begin(), dofs.end());
     for (std::size_t c = 0; c < Term::kSize; ++c)
       for (std::size_t r = c; r < Term::kSize; ++r)
-        stencils.slots.push_back(dofs[r] < 0 || dofs[c] < 0
-                                     ? -1
-                                     : pattern_->slot(std::max(dofs[r], dofs[c]), std::min(dofs[r], dofs[c])));
+        pool.slots.push_back(dofs[r] < 0 || dofs[c] < 0
+                                 ? -1
+                                 : pattern_->slot(std::max(dofs[r], dofs[c]), std::min(dofs[r], dofs[c])));
   }
 }
 
@@ -78,23 +95,45 @@ void Assembly::scatter_general(const Term& term, int k, const Vec<Term::kSize>& 
   }
 }
 
+namespace {
+
+/// Energy and gradient of stencil k, and its Hessian in the asked mode.
 template <class Term>
-void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, HessianMode mode, VecX& g,
-                   SparseMatrix& h, double& energy) {
+double eval_in_mode(const Term& term, int k, HessianMode mode, const double* stress, const Vec<Term::kSize>& q,
+                    Vec<Term::kSize>& g, Mat<Term::kSize>& hess) {
+  if constexpr (HasStress<Term>) {
+    if (mode == HessianMode::predicted) {
+      const double e = term.eval(k, q, &g, nullptr);
+      term.hessian_at(k, q, *stress, hess);
+      return e;
+    }
+  }
+  if constexpr (HasConvexHessian<Term>) {
+    if (mode == HessianMode::convex) {
+      const double e = term.eval(k, q, &g, nullptr);
+      term.convex_hessian(k, q, hess);
+      return e;
+    }
+  }
+  return term.eval(k, q, &g, &hess);
+}
+
+}  // namespace
+
+template <class Term>
+void Assembly::add(const Term& term, const Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
+                   double& energy) {
   constexpr int kSize = Term::kSize;
-  Vec<kSize> ql, gl;
+  Vec<kSize> gl;
   Mat<kSize> hl;
-  const int* dof = stencils.dofs.data();
-  const int* slot = stencils.slots.data();
-  for (int k = 0; k < term.size(); ++k) {
-    const auto coords = term.coords(k);
-    for (int i = 0; i < kSize; ++i) ql[i] = q[coords[static_cast<std::size_t>(i)]];
-    const double e = term.eval(k, ql, &gl, &hl);
+  const int* dof = pool.dofs.data();
+  const int* slot = pool.slots.data();
+  const double* stress = pool.stress.data();
+  for (int k : pool.stencil) {
+    const double e = eval_in_mode(term, k, mode, stress, gather(term, k, q), gl, hl);
+    if constexpr (HasStress<Term>) ++stress;
     energy += e;
     scale_ += std::abs(e);
-    if constexpr (requires { term.convexify(k, ql, hl); }) {
-      if (mode == HessianMode::convexified) term.convexify(k, ql, hl);
-    }
     if (!map_.simple) {
       scatter_general(term, k, gl, hl, g, h);
       continue;
@@ -108,6 +147,18 @@ void Assembly::add(const Term& term, const Stencils& stencils, const VecX& q, He
   }
 }
 
+void Assembly::predict(const YarnForces& forces, const VecX& q, const VecX& dq) {
+  for_each_term(forces, [&](const auto& term, int i) {
+    if constexpr (HasStress<std::decay_t<decltype(term)>>) {
+      Pool& pool = pools_[static_cast<std::size_t>(i)];
+      for (std::size_t n = 0; n < pool.stencil.size(); ++n) {
+        const int k = pool.stencil[n];
+        pool.stress[n] = term.stress(k, gather(term, k, q), gather(term, k, dq));
+      }
+    }
+  });
+}
+
 double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h) {
   g.setZero(map_.num_dofs);
   h.pattern = pattern_;
@@ -116,7 +167,7 @@ double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMod
   energies_.fill(0.0);
   for_each_term(forces, [&](const auto& term, int i) {
     const auto t = static_cast<std::size_t>(i);
-    add(term, stencils_[t], q, mode, g, h, energies_[t]);
+    add(term, pools_[t], q, mode, g, h, energies_[t]);
   });
   double sum = 0.0;
   for (double e : energies_) sum += e;
@@ -127,13 +178,9 @@ double Assembly::value(const YarnForces& forces, const VecX& q) {
   scale_ = 0.0;
   energies_.fill(0.0);
   for_each_term(forces, [&](const auto& term, int i) {
-    using Term = std::decay_t<decltype(term)>;
     double& energy = energies_[static_cast<std::size_t>(i)];
-    Vec<Term::kSize> ql;
-    for (int k = 0; k < term.size(); ++k) {
-      const auto coords = term.coords(k);
-      for (int j = 0; j < Term::kSize; ++j) ql[j] = q[coords[static_cast<std::size_t>(j)]];
-      const double e = term.eval(k, ql, nullptr, nullptr);
+    for (int k : pools_[static_cast<std::size_t>(i)].stencil) {
+      const double e = term.eval(k, gather(term, k, q), nullptr, nullptr);
       energy += e;
       scale_ += std::abs(e);
     }

@@ -7,19 +7,24 @@
 
 #include "force/yarn_forces.h"
 #include "sim/dof_map.h"
-#include "solve/newton.h"
+#include "solve/objective.h"
 
 namespace slipstitch {
+
+enum class Stencils { all, touching };  // touching: only those that an unknown of the map enters
 
 /// Sums the energies of all force terms, their gradients and Hessians, in the unknowns of a DofMap.
 /// The sparsity pattern and each stencil's places in it are found once.
 class Assembly {
  public:
-  Assembly(const YarnForces& forces, const DofMap& map);
+  Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils = Stencils::all);
 
   double value(const YarnForces& forces, const VecX& q);
   /// g (num_dofs) and h in the unknowns; returns the value.
   double derivatives(const YarnForces& forces, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h);
+
+  /// Stresses for HessianMode::predicted: those that the linearisation at q promises at q + dq. 0 before the first call.
+  void predict(const YarnForces& forces, const VecX& q, const VecX& dq);
 
   const std::shared_ptr<const SparsePattern>& pattern() const { return pattern_; }
   double scale() const { return scale_; }  // sum of |stencil energies| of the last value or derivatives
@@ -27,14 +32,18 @@ class Assembly {
   const std::array<double, kNumTerms>& energies() const { return energies_; }
 
  private:
-  struct Stencils {             // of one term
-    std::vector<int> dofs;      // unknown of each local coordinate, -1: held (size x kSize); simple maps only
-    std::vector<int> slots;     // place of each lower-triangle pair, -1: none (size x kSize (kSize+1)/2); simple maps only
+  struct Pool {                 // the stencils in use of one term
+    std::vector<int> stencil;   // (n)
+    std::vector<double> stress;  // predicted (n); empty if the term has none
+    std::vector<int> dofs;      // unknown of each local coordinate, -1: held (n x kSize); simple maps only
+    std::vector<int> slots;     // place of each lower-triangle pair, -1: none (n x kSize (kSize+1)/2); simple maps only
   };
   template <class Term>
-  void place(const Term& term, Stencils& stencils) const;
+  void select(const Term& term, Stencils stencils, Pool& pool) const;
   template <class Term>
-  void add(const Term& term, const Stencils& stencils, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
+  void place(const Term& term, Pool& pool) const;
+  template <class Term>
+  void add(const Term& term, const Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
            double& energy);
   template <class Term>
   void scatter_general(const Term& term, int k, const Vec<Term::kSize>& gl, const Mat<Term::kSize>& hl, VecX& g,
@@ -42,7 +51,7 @@ class Assembly {
 
   DofMap map_;
   std::shared_ptr<const SparsePattern> pattern_;
-  std::array<Stencils, kNumTerms> stencils_;
+  std::array<Pool, kNumTerms> pools_;
   std::array<double, kNumTerms> energies_{};
   double scale_ = 0.0;
 };

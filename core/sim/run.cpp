@@ -107,7 +107,7 @@ class Run {
       const StepReport report = sim.step(h, numerics_, hooks_.should_stop);
       summary_.newton_iterations += report.newton.iterations;
       summary_.factorizations += report.newton.factorizations;
-      summary_.shifted_hessians += report.newton.shifted_hessians;
+      summary_.convex_hessians += report.newton.convex_hessians;
       if (report.newton.status == NewtonStatus::cancelled) return RunStatus::cancelled;
       if (!report.accepted) {
         ++summary_.rejected_steps;

@@ -9,6 +9,8 @@
 namespace slipstitch {
 namespace {
 
+constexpr double kEndsTolerance = 0.1;  // share of the step tolerance to which loose ends are solved
+
 class TimedSolver final : public LinearSolver {
  public:
   TimedSolver(LinearSolver& inner, std::map<std::string, double>& wall, long& solves)
@@ -46,6 +48,7 @@ Simulation::Simulation(Model model)
       forces_(make_forces(model_)),
       map_(make_dof_map(model_)),
       assembly_(forces_, map_),
+      ends_(model_.topology, forces_, map_),
       solver_(make_cholmod_solver()) {
   state_ = start_state(model_, forces_);
 }
@@ -66,7 +69,11 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   TimedSolver solver(*solver_, wall_, linear_solves_);
   VecX y;
   restrict_to_dofs(map_, state_.q, y);
-  if (!quasi_static()) objective.extrapolate(y, h, state_.v);
+  objective.predict(y, VecX::Zero(y.size()));
+  if (!quasi_static()) {
+    objective.settle_on_their_own(ends_, kEndsTolerance * h * numerics.velocity_tolerance_m_per_s);
+    objective.extrapolate(y, h, state_.v);
+  }
 
   NewtonOptions options;
   options.max_iterations = numerics.max_newton_iterations;

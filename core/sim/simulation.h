@@ -9,6 +9,8 @@
 
 #include "model/model.h"
 #include "sim/assembly.h"
+#include "sim/loose_ends.h"
+#include "solve/newton.h"
 
 namespace slipstitch {
 
@@ -56,6 +58,7 @@ class Simulation {
   YarnForces forces_;
   DofMap map_;
   Assembly assembly_;
+  LooseEnds ends_;
   std::unique_ptr<LinearSolver> solver_;
   std::map<std::string, double> wall_;
   long linear_solves_ = 0;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/assembly.h"
+#include "sim/loose_ends.h"
 #include "sim/simulation.h"
 
 namespace slipstitch {
@@ -23,32 +24,43 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_;
 };
 
-/// The sum of all terms in the unknowns, with the two limits on a Newton step: arc lengths keep their order and no
-/// wrap turns by more than a quarter of pi.
+/// The sum of all terms in the unknowns, with the limits on a Newton step: arc lengths keep their order, no segment
+/// turns by more than about a quarter of pi, and no wrap either.
 class StepObjective final : public Objective {
  public:
   StepObjective(const YarnForces& forces, const DofMap& map, Assembly& assembly, const Topology& topology,
                 std::map<std::string, double>& wall)
       : forces_(forces), map_(map), assembly_(assembly), topology_(topology), wall_(wall) {}
 
+  /// From here on `ends` are solved for on their own, to step_tolerance [m]. Only with a simple map.
+  void settle_on_their_own(LooseEnds& ends, double step_tolerance);
+
   double value(const VecX& y) override;
   double derivatives(const VecX& y, HessianMode mode, VecX& g, SparseMatrix& h) override;
   double max_step(const VecX& y, const VecX& dy) override;
   double value_scale() const override { return assembly_.scale(); }
+  void predict(const VecX& y, const VecX& dy) override;
+  void settle(VecX& y, const VecX& before) override;
+  double step_size(const VecX& dy) const override;
 
-  /// Moves y along h v, as far as the step limits allow. The guess may stretch yarn that turns; Newton removes that
-  /// in one iteration, and has less turning left to do.
+  /// Moves y along h v, as far as the step limits allow and yarn that turns is not stretched by more than a twentieth:
+  /// Newton removes that in one iteration and has less turning left to do, but yarn torn apart takes it many.
   void extrapolate(VecX& y, double h, const VecX& v);
 
  private:
+  double keep_segments(const VecX& q, const VecX& dq, double a) const;
   bool turns_too_far(const VecX& q, const VecX& dq, double a) const;
+  bool overstretched(const VecX& q) const;
 
   const YarnForces& forces_;
   const DofMap& map_;
   Assembly& assembly_;
   const Topology& topology_;
   std::map<std::string, double>& wall_;
-  VecX q_, dq_;  // scratch
+  LooseEnds* ends_ = nullptr;
+  double ends_tolerance_ = 0.0;  // [m]
+  double ends_step_ = 0.0;       // last step inside `settle` [m]
+  VecX q_, dq_;                  // scratch
 };
 
 }  // namespace slipstitch

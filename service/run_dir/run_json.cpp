@@ -144,7 +144,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("newton_iterations", summary.newton_iterations);
   visit("linear_iterations", summary.linear_iterations);
   visit("factorizations", summary.factorizations);
-  visit("shifted_hessians", summary.shifted_hessians);
+  visit("convex_hessians", summary.convex_hessians);
   visit("wall_by_phase_s", summary.wall_by_phase_s);
   visit("energy_j", summary.energy_j);
   visit("residual", summary.residual);

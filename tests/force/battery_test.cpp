@@ -45,24 +45,30 @@ TYPED_TEST(EveryTerm, ValuesDoNotDependOnWhatElseIsAsked) { for_each_sample<Type
 
 VecX eigenvalues(const MatX& m) { return Eigen::SelfAdjointEigenSolver<MatX>(m).eigenvalues(); }
 
-void expect_projected(const Sample& s) {
+void expect_convex(const Sample& s) {
   MatX hess;
-  s.energy(s.q, nullptr, &hess);
-  MatX projected = hess;
-  const bool changed = s.project(projected);
-  const MatX added = projected - hess;
-  const VecX exact = eigenvalues(hess);
-  const double round_off = 16 * static_cast<double>(s.q.size()) * kEpsilon * hess.norm();
-  EXPECT_GE(eigenvalues(projected)[0], -round_off);
-  EXPECT_GE(eigenvalues(added)[0], -round_off);
-  EXPECT_NEAR(added.norm(), exact.cwiseMin(0.0).norm(), round_off);  // no more than the negative part
-  EXPECT_EQ(changed, added.norm() > 0.0);
-  if (exact[0] < -round_off) {
-    EXPECT_TRUE(changed);
-  }
+  s.convex_hessian(s.q, hess);
+  EXPECT_LE((hess - hess.transpose()).norm(), 4 * kEpsilon * hess.norm());
+  EXPECT_GE(eigenvalues(hess)[0], -16 * static_cast<double>(s.q.size()) * kEpsilon * hess.norm());
 }
 
-TYPED_TEST(EveryTerm, ProjectedHessianIsTheNearestSemidefiniteOne) { for_each_sample<TypeParam>(expect_projected); }
+TYPED_TEST(EveryTerm, ConvexHessianIsNeverIndefinite) { for_each_sample<TypeParam>(expect_convex); }
+
+void expect_consistent_stress(const Sample& s) {
+  if (!s.stress) return;
+  const VecX none = VecX::Zero(s.q.size());
+  MatX exact, at_stress;
+  s.energy(s.q, nullptr, &exact);
+  s.hessian_at(s.q, s.stress(s.q, none), at_stress);
+  EXPECT_LE((at_stress - exact).norm(), 64 * kEpsilon * exact.norm());
+  const VecX dq = VecX::Constant(s.q.size(), 1.0).cwiseProduct(VecX::LinSpaced(s.q.size(), -1e-7, 2e-7));
+  const double slope = (s.stress(s.q + dq, none) - s.stress(s.q - dq, none)) / 2.0;
+  EXPECT_NEAR(s.stress(s.q, dq) - s.stress(s.q, none), slope, 1e-4 * std::abs(slope) + 1e-9);
+}
+
+TYPED_TEST(EveryTerm, StressIsWhatTheHessianHoldsAndExtrapolatesLinearly) {
+  for_each_sample<TypeParam>(expect_consistent_stress);
+}
 
 }  // namespace
 }  // namespace slipstitch::testing

@@ -10,7 +10,6 @@
 
 #include "evaluation.h"
 #include "force/yarn_forces.h"
-#include "math/psd.h"
 #include "sample_models.h"
 
 namespace slipstitch::testing {
@@ -37,7 +36,9 @@ struct Sample {
   VecX q;
   std::vector<int> coords;
   Energy energy;
-  std::function<bool(MatX&)> project;  // project_psd at the term's size
+  std::function<void(const VecX&, MatX&)> convex_hessian;  // the Hessian itself where the term offers no other
+  std::function<double(const VecX&, const VecX&)> stress;  // empty where the term has none
+  std::function<void(const VecX&, double, MatX&)> hessian_at;
   double step = 0.0;                   // of Pose
   int order = 0;
 };
@@ -54,16 +55,24 @@ void for_each_sample(const std::function<void(const Sample&)>& visit) {
   for (const Pose& pose : sample_poses(model)) {
     for (int k = 0; k < term.size(); ++k) {
       const std::array<int, static_cast<std::size_t>(N)> coords = term.coords(k);
-      Sample sample{VecX(N), {coords.begin(), coords.end()}, {}, {}, pose.step, pose.order};
+      Sample sample{VecX(N), {coords.begin(), coords.end()}, {}, {}, {}, {}, pose.step, pose.order};
       for (int i = 0; i < N; ++i) sample.q[i] = pose.q[coords[static_cast<std::size_t>(i)]];
       sample.energy = with_dynamic_size<N>(
           [&term, k](const Vec<N>& q, Vec<N>* g, Mat<N>* hess) { return term.eval(k, q, g, hess); });
-      sample.project = [](MatX& m) {
-        Mat<N> fixed = m;
-        const bool changed = project_psd<N>(fixed);
-        m = fixed;
-        return changed;
+      sample.convex_hessian = [&term, k](const VecX& q, MatX& hess) {
+        Mat<N> fixed;
+        if constexpr (HasConvexHessian<Term>) term.convex_hessian(k, q, fixed);
+        else term.eval(k, q, nullptr, &fixed);
+        hess = fixed;
       };
+      if constexpr (HasStress<Term>) {
+        sample.stress = [&term, k](const VecX& q, const VecX& dq) { return term.stress(k, q, dq); };
+        sample.hessian_at = [&term, k](const VecX& q, double stress, MatX& hess) {
+          Mat<N> fixed;
+          term.hessian_at(k, q, stress, fixed);
+          hess = fixed;
+        };
+      }
       visit(sample);
     }
   }

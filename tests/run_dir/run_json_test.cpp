@@ -26,7 +26,7 @@ RunSummary full_summary() {
   summary.newton_iterations = 7;
   summary.linear_iterations = 8;
   summary.factorizations = 9;
-  summary.shifted_hessians = 10;
+  summary.convex_hessians = 10;
   summary.wall_by_phase_s = {{"assemble", 0.25}};
   summary.energy_j = {{"kinetic", 1e-9}, {"stretch", 2e-9}};
   summary.residual = 1e-5;
@@ -78,7 +78,7 @@ TEST(RunJson, SummaryHasThePromisedKeys) {
                                        "threads",
                                        "version"};
   for (const std::string& key : promised) EXPECT_TRUE(keys.contains(key)) << key;
-  const std::set<std::string> extra{"message",           "frames",      "shifted_hessians", "residual_unit",
+  const std::set<std::string> extra{"message",           "frames",      "convex_hessians", "residual_unit",
                                     "max_slid_m",        "mean_slid_m", "faded_wrap_share", "faded_wrap_share_interior",
                                     "wrap_ridge_entries"};
   EXPECT_EQ(keys.size(), promised.size() + extra.size());

@@ -28,7 +28,7 @@ TEST(Run, FillsTheSummary) {
   EXPECT_EQ(summary.steps, 12);  // three a frame, so that frames fall on steps
   EXPECT_EQ(summary.rejected_steps, 0);
   EXPECT_GE(summary.newton_iterations, summary.steps);
-  EXPECT_GE(summary.factorizations, summary.newton_iterations);
+  EXPECT_GE(summary.factorizations, summary.steps);  // the last iterations of a step share a factor
   EXPECT_GE(summary.linear_iterations, summary.newton_iterations);
   EXPECT_GT(summary.residual, 0.0);
   EXPECT_LE(summary.residual, 1e-4);
