@@ -84,15 +84,17 @@ void KnitLayout::place_turns() {
   }
 }
 
-// Straight away from the fabric: sideways when flat, outwards when round.
+// Straight on from the last segment when flat, so that the ends start unbent; outwards when round, clear of the fabric.
 void KnitLayout::place_tails() {
   const double length = sum(cell_.start_length) / cell_.stitches() / rest_ratio_;
+  const auto tail_from = [&](int before, int last) {
+    const Vec3 way = in_the_round_ ? Vec3(0.0, 0.0, 1.0) : position_[idx(last)] - position_[idx(before)];
+    return Vec3(position_[idx(last)] + length * way.normalized());
+  };
   const bool ends_left = in_the_round_ || courses_ % 2 == 1;
-  const Vec3 start_way = in_the_round_ ? Vec3(0.0, 0.0, 1.0) : Vec3(1.0, 0.0, 0.0);
-  const Vec3 end_way = in_the_round_ ? start_way : Vec3(ends_left ? -1.0 : 1.0, 0.0, 0.0);
-  const int last = ends_left ? base(courses_, 1, kBaseLeft1) : base(courses_, wales_, kBaseRight1);
-  position_[idx(tail(false))] = position_[idx(base(1, wales_, kBaseRight1))] + length * start_way;
-  position_[idx(tail(true))] = position_[idx(last)] + length * end_way;
+  position_[idx(tail(false))] = tail_from(base(1, wales_, kBaseRight2), base(1, wales_, kBaseRight1));
+  position_[idx(tail(true))] = ends_left ? tail_from(base(courses_, 1, kBaseLeft2), base(courses_, 1, kBaseLeft1))
+                                         : tail_from(base(courses_, wales_, kBaseRight2), base(courses_, wales_, kBaseRight1));
 }
 
 int KnitLayout::loop_node(int course, int wale, int k) const {
