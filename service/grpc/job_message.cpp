@@ -16,7 +16,8 @@ void set_time(const std::string& text, google::protobuf::Timestamp* time) {
   google::protobuf::util::TimeUtil::FromString(text, time);
 }
 
-void set_progress(const Progress& progress, v1::JobProgress& message) {
+void set_progress(const ProgressInfo& info, v1::JobProgress& message) {
+  const Progress& progress = info.progress;
   message.set_t(progress.t);
   message.set_duration_s(progress.duration_s);
   message.set_frames(static_cast<std::uint32_t>(progress.frames));
@@ -26,6 +27,7 @@ void set_progress(const Progress& progress, v1::JobProgress& message) {
   message.set_current_step_s(progress.step_s);
   message.set_residual(progress.residual);
   message.set_wall_s(progress.wall_s);
+  if (info.eta_s) message.set_eta_s(*info.eta_s);
 }
 
 }  // namespace
@@ -42,7 +44,7 @@ v1::SimJob message_from_job(const jobs::Job& job) {
   if (!job.info.create_time.empty()) set_time(job.info.create_time, message.mutable_create_time());
   if (!job.start_time.empty()) set_time(job.start_time, message.mutable_start_time());
   if (!job.end_time.empty()) set_time(job.end_time, message.mutable_end_time());
-  if (job.progress) set_progress(job.progress->progress, *message.mutable_progress());
+  if (job.progress) set_progress(*job.progress, *message.mutable_progress());
   if (job.failure) *message.mutable_error() = rpc_status(*job.failure);
   message.set_summary_json(job.summary_json);
   message.set_cancel_requested(job.cancel_requested);

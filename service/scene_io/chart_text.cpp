@@ -25,7 +25,7 @@ void switch_all_on(v1::Effects& effects) {
   effects.mutable_stretch();
   effects.mutable_bending();
   effects.mutable_bending_jamming();
-  effects.mutable_wrapping();
+  effects.mutable_wrapping()->set_alpha(0.03);  // at 1 a swatch rolls up before it falls
   effects.mutable_contact_length();
   effects.mutable_parallel_contact();
   effects.mutable_sliding();

@@ -43,20 +43,23 @@ bool asks_for_http(const std::vector<std::string>& arguments) {
   });
 }
 
+// Without CLI11's own wording of the range, which the descriptions give.
+CLI::Validator in_range(int first, int last) { return CLI::Range(first, last).description(""); }
+
 void declare(CLI::App& app, ServerOptions& options, std::string& data_dir, std::string& worker) {
   app.add_option("--grpc", options.grpc_address, "Listen here; port 0 takes any free one")
       ->capture_default_str()
       ->check(check_address);
   app.add_option("--data-dir", data_dir, "Where jobs are kept; one server at a time")->capture_default_str();
-  app.add_option("--slots", options.slots, "Jobs that run at the same time")
+  app.add_option("--slots", options.slots, "Jobs that run at the same time, 1 to 1024")
       ->capture_default_str()
-      ->check(CLI::Range(1, kMaxSlots));
-  app.add_option("--queue", options.queue, "Jobs that wait beyond those; more are refused")
+      ->check(in_range(1, kMaxSlots));
+  app.add_option("--queue", options.queue, "Jobs that wait beyond those, 0 to 1000000; more are refused")
       ->capture_default_str()
-      ->check(CLI::Range(0, kMaxQueue));
-  app.add_option("--max-scene-mib", options.max_scene_mib, "Largest scene taken [MiB]")
+      ->check(in_range(0, kMaxQueue));
+  app.add_option("--max-scene-mib", options.max_scene_mib, "Largest scene taken, 1 to 1024 MiB")
       ->capture_default_str()
-      ->check(CLI::Range(1, kMaxSceneMib));
+      ->check(in_range(1, kMaxSceneMib));
   app.add_option("--worker", worker, "The program that runs a job")->capture_default_str();
   app.add_flag("--stop-jobs", options.stop_jobs, "On SIGTERM or SIGINT end running jobs too; without it they run on");
 }

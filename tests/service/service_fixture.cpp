@@ -191,6 +191,7 @@ v1::SimJob ServiceTest::wait_for_frames(const std::string& name, std::uint32_t f
   }
   context.TryCancel();
   EXPECT_GE(job.progress().frames(), frames) << job.DebugString();
+  EXPECT_EQ(job.progress().has_eta_s(), job.progress().t() > 0.0) << job.DebugString();
   return job;
 }
 
