@@ -14,7 +14,9 @@ TEST(Parsers, ObjByHand) {
   ASSERT_TRUE(file);
   ASSERT_EQ(file->curves.size(), 2u);
   EXPECT_EQ(file->curves[1][0], (std::array<double, 3>{4, 5, 6.5}));
+  EXPECT_EQ(parse_obj("v 5e-324 0 -0\nv 1 2 3\nl 1 2\n")->curves[0][0][0], 5e-324);
   EXPECT_FALSE(parse_obj("v 1 2\n"));
+  EXPECT_FALSE(parse_obj("v 1 2 x\n"));
   EXPECT_FALSE(parse_obj("v 1 2 3\nl 1 2\n"));
   EXPECT_FALSE(parse_obj("v 1 2 3\nl 1\n"));
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <charconv>
 #include <sstream>
 
 #include "support/parsers/curves.h"
@@ -13,9 +14,9 @@ bool read_point(std::istringstream& words, std::vector<Point>& points) {
   for (double& x : point) {
     std::string word;
     if (!(words >> word)) return false;
-    std::size_t used = 0;
-    x = std::stod(word, &used);
-    if (used != word.size()) return false;
+    const char* const word_end = word.data() + word.size();
+    const auto [end, error] = std::from_chars(word.data(), word_end, x);
+    if (error != std::errc() || end != word_end) return false;
   }
   points.push_back(point);
   return true;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <charconv>
 #include <cstdint>
 #include <cstring>
 #include <regex>
@@ -93,7 +94,9 @@ std::optional<Vtp> parse_vtp(std::string_view bytes) {
   Vtp result;
   const auto time = element(field->inside, "DataArray");
   if (!time || attribute(time->tag, "Name") != "TimeValue") return std::nullopt;
-  result.time = std::stod(time->inside);
+  const char* const time_end = time->inside.data() + time->inside.size();
+  const auto [end, error] = std::from_chars(time->inside.data(), time_end, result.time);
+  if (error != std::errc() || end != time_end) return std::nullopt;
   const auto data = read_arrays(point_data->inside, appended);
   const auto coordinates = read_arrays(points->inside, appended);
   const auto cells = read_arrays(lines->inside, appended);
