@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <grpcpp/support/sync_stream.h>
 #include <signal.h>
 
 #include <future>
 
+#include "raw_message.h"
 #include "service_fixture.h"
 
 namespace slipstitch::test {
@@ -50,6 +52,23 @@ TEST_F(StopTest, SigtermEndsStreamsWithAReasonAndLeavesWorkersRunning) {
   start_server();
   EXPECT_EQ(get(name).state(), v1::SimJob::RUNNING);
   EXPECT_EQ(worker_of(name).pid, worker.pid);
+}
+
+// HealthCheckResponse.status is field 1, SERVING = 1, NOT_SERVING = 2.
+TEST_F(StopTest, SigtermIsToldAsNotServing) {
+  start_server();
+  const grpc::internal::RpcMethod watch("/grpc.health.v1.Health/Watch", grpc::internal::RpcMethod::SERVER_STREAMING);
+  grpc::ClientContext context;
+  const std::unique_ptr<grpc::ClientReader<grpc::ByteBuffer>> reader(
+      grpc::internal::ClientReaderFactory<grpc::ByteBuffer>::Create(channel_.get(), watch, &context, raw_message("")));
+  grpc::ByteBuffer status;
+  ASSERT_TRUE(reader->Read(&status));
+  EXPECT_EQ(text_of(status), std::string("\x08\x01"));
+  server_->signal(SIGTERM);
+  ASSERT_TRUE(reader->Read(&status));
+  EXPECT_EQ(text_of(status), std::string("\x08\x02"));
+  context.TryCancel();
+  EXPECT_EQ(server_->wait(), 0);
 }
 
 TEST_F(StopTest, StopJobsEndsWorkersToo) {

@@ -1,24 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <grpcpp/impl/codegen/client_unary_call.h>
 
+#include "raw_message.h"
 #include "service_fixture.h"
 
 namespace slipstitch::test {
 namespace {
-
-grpc::ByteBuffer bytes(const std::string& text) {
-  const grpc::Slice slice(text);
-  return {&slice, 1};
-}
-
-std::string text(const grpc::ByteBuffer& buffer) {
-  std::vector<grpc::Slice> slices;
-  std::string result;
-  if (buffer.Valid() && buffer.Dump(&slices).ok()) {
-    for (const grpc::Slice& slice : slices) result.append(slice.begin(), slice.end());
-  }
-  return result;
-}
 
 class SurfaceTest : public ServiceTest {
  protected:
@@ -30,8 +17,8 @@ class SurfaceTest : public ServiceTest {
     grpc::ClientContext context;
     grpc::ByteBuffer answer;
     const grpc::Status status = grpc::internal::BlockingUnaryCall<grpc::ByteBuffer, grpc::ByteBuffer>(
-        channel_.get(), rpc, &context, bytes(request), &answer);
-    if (response != nullptr) *response = text(answer);
+        channel_.get(), rpc, &context, raw_message(request), &answer);
+    if (response != nullptr) *response = text_of(answer);
     return status;
   }
 };
