@@ -13,6 +13,14 @@ void check_material(const YarnMaterial& yarn, Checker& check) {
   check.positive("yarn.bending_nm2", yarn.bending_nm2);
 }
 
+// Names travel in every answer about a job and are shown in terminals.
+void check_name(const std::string& name, Checker& check) {
+  constexpr std::size_t kLongestName = 200;
+  const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (name.size() > kLongestName) check.fail("name", std::to_string(name.size()) + " bytes", "at most 200 bytes");
+  if (std::any_of(name.begin(), name.end(), control)) check.fail("name", "a text with control characters", "printable characters");
+}
+
 void check_time(const Scene& scene, const SceneLimits& limits, Checker& check) {
   check.not_negative("duration_s", scene.duration_s);
   check.positive("frames_per_s", scene.frames_per_s);
@@ -47,6 +55,7 @@ Issues check(const Scene& scene, const SceneLimits& limits) {
   if (!scene.knit && scene.yarns.empty()) checker.fail("", "neither a knit nor yarns", "a knit, or at least one yarn");
   if (scene.knit) check_knit(*scene.knit, limits, checker);
   check_yarns(scene, limits, checker);
+  check_name(scene.name, checker);
   check_material(scene.yarn, checker);
   check_effects(scene.effects, checker);
   const bool too_big = std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.too_big; });

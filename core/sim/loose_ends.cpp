@@ -2,6 +2,7 @@
 #include "sim/loose_ends.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "solve/newton.h"
 
@@ -101,7 +102,8 @@ double LooseEnds::settle(const YarnForces& forces, VecX& q, const VecX& before, 
   const NewtonReport report = newton(objective, *solver_, options, z);
   const double round_off = 1e-14 * objective.value_scale();
   if (!(objective.value(z) <= lowest + round_off)) objective.value(start);  // leaves q at the start
-  return report.max_step;
+  const bool solved = report.status == NewtonStatus::converged || report.max_step > 0.0;
+  return solved ? report.max_step : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace slipstitch

@@ -20,7 +20,7 @@ class LooseEnds {
   const std::vector<int>& coords() const { return coords_; }  // full coordinates of the ends
 
   /// Minimises over the ends in q (full coordinates), from where they are in q or in `before`, whichever is lower, until
-  /// a Newton step is <= step_tolerance [m]. Never raises the energy. Returns the size of the last step.
+  /// a Newton step is <= step_tolerance [m]. Never raises the energy. Returns the size of the last step, infinity if there was none.
   double settle(const YarnForces& forces, VecX& q, const VecX& before, double step_tolerance);
 
  private:

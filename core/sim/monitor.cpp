@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "model/check_values.h"
+
 namespace slipstitch {
 namespace {
 
@@ -79,14 +81,14 @@ std::optional<std::string> Monitor::pulled_out(const Simulation& sim) const {
   const Topology& topo = sim.model().topology;
   const VecX arc = sim.state().q.tail(topo.num_visits());
   const double reach = sim.model().yarn.radius_m;
-  for (std::size_t c = 0; c < topo.contacts.size(); ++c) {
-    const StitchContact& contact = topo.contacts[c];
-    for (int visit : {contact.u_visit[0], contact.u_visit[1], contact.v_visit[0], contact.v_visit[1]}) {
-      const auto yarn = std::upper_bound(topo.yarn_first.begin(), topo.yarn_first.end(), visit);
-      const int first = *(yarn - 1), last = *yarn - 1;
+  for (int yarn = 0; yarn < topo.num_yarns(); ++yarn) {
+    const auto y = static_cast<std::size_t>(yarn);
+    const int first = topo.yarn_first[y], last = topo.yarn_first[y + 1] - 1;
+    for (int visit = first + 1; visit < last; ++visit) {
+      if (!topo.visit_slides[static_cast<std::size_t>(visit)]) continue;
       if (arc[visit] - arc[first] > reach && arc[last] - arc[visit] > reach) continue;
-      return "a yarn end was pulled to within one radius of the contact at " +
-             describe_contact(topo, static_cast<int>(c)) + " at t = " + std::to_string(sim.state().t) + " s";
+      return "a yarn end was pulled to within one radius of the contact at " + describe_visit(topo, yarn, visit) +
+             " at t = " + number_text(sim.state().t) + " s";
     }
   }
   return std::nullopt;
@@ -135,6 +137,16 @@ std::string describe_contact(const Topology& topology, int contact) {
   const Stitch& s = topology.stitches[static_cast<std::size_t>(c.stitch)];
   return "course " + std::to_string(s.course) + ", wale " + std::to_string(s.wale) +
          (c.side == ClaspSide::left ? " (left clasp)" : " (right clasp)");
+}
+
+std::string describe_visit(const Topology& topology, int yarn, int visit) {
+  for (std::size_t c = 0; c < topology.contacts.size(); ++c) {
+    const StitchContact& contact = topology.contacts[c];
+    for (int v : {contact.u_visit[0], contact.u_visit[1], contact.v_visit[0], contact.v_visit[1]})
+      if (v == visit) return describe_contact(topology, static_cast<int>(c));
+  }
+  const int point = visit - topology.yarn_first[static_cast<std::size_t>(yarn)];
+  return "point " + std::to_string(point) + " of yarn " + std::to_string(yarn);
 }
 
 std::string state_hash(const VecX& q) {

@@ -34,6 +34,9 @@ class Monitor {
 /// "course 3, wale 5 (left clasp)" of a stitch contact, or "bind-off".
 std::string describe_contact(const Topology& topology, int contact);
 
+/// The stitch contact of a visit, or "point 2 of yarn 0" where there is none.
+std::string describe_visit(const Topology& topology, int yarn, int visit);
+
 /// FNV-1a over the bytes of the full coordinates, as 16 hex digits.
 std::string state_hash(const VecX& q);
 

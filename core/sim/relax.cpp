@@ -76,7 +76,7 @@ class PeriodicUnknowns {
 }  // namespace
 
 RelaxedRepeat relax_repeat(const Pattern& pattern, const Gauge& gauge, const YarnMaterial& yarn, const Effects& effects,
-                           double relative_tolerance) {
+                           double relative_tolerance, const std::function<bool()>& should_stop) {
   const PeriodicPatch patch = build_repeat(pattern, drawn_cell(pattern, gauge, yarn));
   Model model;
   model.topology = patch.placed.topology;
@@ -96,6 +96,7 @@ RelaxedRepeat relax_repeat(const Pattern& pattern, const Gauge& gauge, const Yar
   options.gradient_tolerance = relative_tolerance * yarn.bending_nm2 / (L * L);
   options.max_iterations = 2000;
   options.relative_shift = 1e-9;
+  options.should_stop = should_stop;
   const auto solver = make_cholmod_solver();
   VecX y = unknowns.start();
   RelaxedRepeat result;

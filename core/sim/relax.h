@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "model/knit_repeat.h"
 #include "solve/newton.h"
 
 namespace slipstitch {
+
+inline constexpr double kRelaxTolerance = 1e-7;
 
 struct RelaxedRepeat {
   RestCell cell;       // of the last iterate, whether or not it converged
@@ -16,8 +20,8 @@ struct RelaxedRepeat {
 /// `relative_tolerance` EI/L^2 (L the contact's rest length). Unknowns: the repeat's nodes and the period vectors
 /// (a_x, 0, 0), (b_x, b_y, 0). Arc lengths are held as drawn: friction keeps the proportions of a knit's loops, and
 /// yarn free to slide would empty its legs or heads down to contact between neighbouring contacts. Gravity, inertia
-/// and damping stay out.
+/// and damping stay out. should_stop is polled every iteration; may be empty.
 RelaxedRepeat relax_repeat(const Pattern& pattern, const Gauge& gauge, const YarnMaterial& yarn, const Effects& effects,
-                           double relative_tolerance = 1e-7);
+                           double relative_tolerance = kRelaxTolerance, const std::function<bool()>& should_stop = {});
 
 }  // namespace slipstitch

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "model/check_values.h"
 #include "sim/monitor.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
@@ -21,7 +22,8 @@ class Run {
   }
 
   RunSummary go() {
-    Prepared prepared = prepare(scene_);
+    Prepared prepared = prepare(scene_, hooks_.should_stop);
+    if (prepared.cancelled) return finish(RunStatus::cancelled, "");
     if (prepared.failure) return finish(RunStatus::failed, *prepared.failure);
     Simulation sim(std::move(prepared.model));
     Monitor monitor(sim);
@@ -113,8 +115,8 @@ class Run {
         ++summary_.rejected_steps;
         step_ = 0.5 * h;
         if (step_ >= numerics_.smallest_step_s) continue;
-        summary_.message = "no step above " + std::to_string(numerics_.smallest_step_s) + " s converges at t = " +
-                           std::to_string(sim.state().t) + " s: " + std::string(to_string(report.newton.status));
+        summary_.message = "no step above " + number_text(numerics_.smallest_step_s) + " s converges at t = " +
+                           number_text(sim.state().t) + " s: " + std::string(to_string(report.newton.status));
         return RunStatus::failed;
       }
       ++summary_.steps;

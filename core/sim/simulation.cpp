@@ -9,6 +9,8 @@
 namespace slipstitch {
 namespace {
 
+// Yarn is stiff as k_s/D: in a segment of next to no length the Newton step is small whatever the force, and says nothing.
+constexpr double kKeepArcInAStep = 0.1;
 constexpr double kEndsTolerance = 0.1;  // share of the step tolerance to which loose ends are solved
 
 class TimedSolver final : public LinearSolver {
@@ -69,6 +71,7 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   TimedSolver solver(*solver_, wall_, linear_solves_);
   VecX y;
   restrict_to_dofs(map_, state_.q, y);
+  objective.keep_arcs(state_.q, quasi_static() ? 0.0 : kKeepArcInAStep);
   objective.predict(y, VecX::Zero(y.size()));
   if (!quasi_static()) {
     objective.settle_on_their_own(ends_, kEndsTolerance * h * numerics.velocity_tolerance_m_per_s);

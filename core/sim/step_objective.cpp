@@ -8,6 +8,7 @@ namespace slipstitch {
 namespace {
 
 constexpr double kKeepArc = 0.1;            // least share of a segment's arc length left by one Newton step
+constexpr double kLeastArc = 1e-3;          // of a segment's rest length, after any step
 constexpr double kLargestTurn = kPi / 4.0;  // of a wrap in one Newton step
 constexpr int kMaxTurnHalvings = 8;
 constexpr double kLargestMove = 0.7;         // of one end of a segment against the other in one Newton step, in its length
@@ -45,6 +46,27 @@ void StepObjective::settle_on_their_own(LooseEnds& ends, double step_tolerance) 
   ends_tolerance_ = step_tolerance;
 }
 
+void StepObjective::keep_arcs(const VecX& q, double share) {
+  arc_floor_.assign(static_cast<std::size_t>(topology_.num_visits()), 0.0);
+  for (int i = 0; i + 1 < topology_.num_visits(); ++i) {
+    const auto v = static_cast<std::size_t>(i);
+    if (topology_.segment_kind[v] == SegmentKind::none) continue;
+    const int u0 = topology_.arc_coord(i);
+    const double arc = q[u0 + 1] - q[u0];
+    arc_floor_[v] = std::max(share * arc, std::min(kLeastArc * rest_length(topology_, i), 0.5 * arc));
+  }
+}
+
+double StepObjective::keep_floor(const VecX& q, const VecX& dq, double a) const {
+  for (std::size_t v = 0; v + 1 < arc_floor_.size(); ++v) {
+    if (!(arc_floor_[v] > 0.0)) continue;
+    const int u0 = topology_.arc_coord(static_cast<int>(v));
+    const double above = q[u0 + 1] - q[u0] - arc_floor_[v], change = dq[u0 + 1] - dq[u0];
+    if (above + a * change < 0.0) a = std::max(0.0, 0.9 * above / -change);
+  }
+  return a;
+}
+
 void StepObjective::predict(const VecX& y, const VecX& dy) {
   const Stopwatch watch(wall_["energy"]);
   expand(map_, y, q_);
@@ -74,7 +96,8 @@ double StepObjective::max_step(const VecX& y, const VecX& dy) {
   expand(map_, y, q_);
   expand(map_, y + dy, dq_);
   dq_ -= q_;
-  double a = keep_segments(q_, dq_, order_preserving_step(topology_, q_, dq_, kKeepArc));
+  double a = keep_floor(q_, dq_, order_preserving_step(topology_, q_, dq_, kKeepArc));
+  a = keep_segments(q_, dq_, a);
   for (int k = 0; k < kMaxTurnHalvings && turns_too_far(q_, dq_, a); ++k) a *= 0.5;
   return a;
 }

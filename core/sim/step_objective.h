@@ -35,6 +35,9 @@ class StepObjective final : public Objective {
   /// From here on `ends` are solved for on their own, to step_tolerance [m]. Only with a simple map.
   void settle_on_their_own(LooseEnds& ends, double step_tolerance);
 
+  /// From here on no arc length goes below `share` of what it is at q, nor below a thousandth of its rest length.
+  void keep_arcs(const VecX& q, double share);
+
   double value(const VecX& y) override;
   double derivatives(const VecX& y, HessianMode mode, VecX& g, SparseMatrix& h) override;
   double max_step(const VecX& y, const VecX& dy) override;
@@ -48,6 +51,7 @@ class StepObjective final : public Objective {
   void extrapolate(VecX& y, double h, const VecX& v);
 
  private:
+  double keep_floor(const VecX& q, const VecX& dq, double a) const;
   double keep_segments(const VecX& q, const VecX& dq, double a) const;
   bool turns_too_far(const VecX& q, const VecX& dq, double a) const;
   bool overstretched(const VecX& q) const;
@@ -57,6 +61,7 @@ class StepObjective final : public Objective {
   Assembly& assembly_;
   const Topology& topology_;
   std::map<std::string, double>& wall_;
+  std::vector<double> arc_floor_;  // per segment, by first visit [m]; empty: none
   LooseEnds* ends_ = nullptr;
   double ends_tolerance_ = 0.0;  // [m]
   double ends_step_ = 0.0;       // last step inside `settle` [m]

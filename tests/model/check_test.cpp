@@ -220,6 +220,19 @@ TEST(Check, NamesEachProblemOnceAtItsPlace) {
   }
 }
 
+TEST(Check, NamesAreShortAndPrintable) {
+  for (const std::string& name : {std::string(201, 'n'), std::string("two\nlines"), std::string("\x1b[31mred")}) {
+    Scene scene = good_scene();
+    scene.name = name;
+    const Issues issues = check(scene);
+    ASSERT_EQ(issues.size(), 1u);
+    EXPECT_EQ(issues[0].path, "name");
+  }
+  Scene scene = good_scene();
+  scene.name = std::string(198, 'n') + "\xc3\xa9";
+  EXPECT_TRUE(check(scene).empty());
+}
+
 TEST(Check, NamesAllProblemsAtOnce) {
   Scene scene = good_scene();
   scene.yarn.radius_m = -1.0;

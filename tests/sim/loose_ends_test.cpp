@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "model/model.h"
 #include "sim/simulation.h"
 #include "sim_scenes.h"
@@ -53,6 +55,14 @@ TEST(LooseEnds, StartFromWhicheverPlaceIsLower) {
   VecX from_before = before;
   hanging.ends.settle(hanging.forces, from_before, before, 1e-12);
   EXPECT_LT((q - from_before).norm(), 1e-10);
+}
+
+TEST(LooseEnds, SayWhenTheyCouldNotBeSolvedFor) {
+  Hanging hanging;
+  VecX q = hanging.model.start_q;
+  q[3] = std::numeric_limits<double>::quiet_NaN();  // of the neighbour, so that no value is finite
+  q[9] = q[3];
+  EXPECT_EQ(hanging.ends.settle(hanging.forces, q, q, 1e-12), std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

@@ -131,5 +131,50 @@ TEST(Run, PlansTheFramesThatFitIntoTheDuration) {
   EXPECT_EQ(planned_frames(0.0999, 30.0), 3);
 }
 
+Scene twisted_swatch() {
+  Scene scene;
+  scene.knit.emplace();
+  Issues issues;
+  scene.knit->pattern = pattern_from_preset(PresetSpec{"stockinette", 8, 6}, false, "pattern", issues);
+  scene.knit->gauge = {2.9e-3, 2.03e-3, {}};
+  scene.effects = {InertiaEffect{},        {},                      StretchEffect{},       BendingEffect{},
+                   BendingJammingEffect{}, WrappingEffect{},        ContactLengthEffect{}, ParallelContactEffect{},
+                   SlidingEffect{},        SlidingFrictionEffect{}, DampingEffect{}};
+  const Keyframe turned{0.3, Vec3::Zero(), Vec3(0.0, 6.28, 0.0)};
+  scene.handles = {{Edge::bottom, {}, false}, {Edge::top, {Keyframe{}, turned}, false}};
+  scene.duration_s = 1.0 / 60.0;
+  scene.frames_per_s = 60.0;
+  scene.numerics = FixedNumerics{.time_step_s = 1.0 / 120.0};
+  return scene;
+}
+
+// Yarn whose segment lost its length is stiff without bound: the Newton step says "converged" at any force.
+TEST(Run, NeverTakesASegmentWithoutYarnForConverged) {
+  const RunSummary summary = run(twisted_swatch(), 1, {});
+  EXPECT_GT(summary.min_arc_gap_ratio.value_or(0.0), 1e-3);
+  EXPECT_LT(summary.max_stretch.value_or(1e9), 1.5);
+  EXPECT_LT(summary.energy_j.at("stretch"), 1e-2);
+}
+
+TEST(Run, CanBeCancelledWhileTheRepeatIsRelaxed) {
+  RunHooks hooks;
+  int polls = 0;
+  hooks.should_stop = [&] { return ++polls > 3; };
+  EXPECT_EQ(run(twisted_swatch(), 1, hooks).status, RunStatus::cancelled);
+  EXPECT_EQ(polls, 4);
+}
+
+TEST(Run, StopsWhereAYarnEndReachesAGuide) {
+  Scene scene = hanging_yarn();  // over a guide at its second point, and heavier beyond
+  scene.handles.clear();
+  scene.guides = {{0, 1}};
+  scene.effects.sliding.emplace();
+  scene.duration_s = 1.0;
+  const RunSummary summary = run(scene, 1, {});
+  EXPECT_EQ(summary.status, RunStatus::failed);
+  EXPECT_NE(summary.message.find("point 1 of yarn 0"), std::string::npos) << summary.message;
+  EXPECT_LT(summary.sim_time_s, 1.0);
+}
+
 }  // namespace
 }  // namespace slipstitch::testing
