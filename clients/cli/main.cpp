@@ -71,5 +71,8 @@ int main(int argc, char** argv) {
     return usage_error(app, error);
   }
   const auto used = std::find_if(commands.begin(), commands.end(), [](const Command& c) { return c.app->parsed(); });
-  return used->run();
+  const int code = used->run();
+  if (std::cout.flush()) return code;
+  complain("cannot write to standard output");
+  return code == 0 ? kExitFailed : code;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "grpc/create_job.h"
 
+#include <google/protobuf/unknown_field_set.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -12,8 +14,18 @@
 namespace slipstitch {
 namespace {
 
+void check_unknown(const google::protobuf::Message& message, const std::string& path, Issues& issues) {
+  const auto& unknown = message.GetReflection()->GetUnknownFields(message);
+  for (int i = 0; i < unknown.field_count(); ++i) {
+    issues.push_back({path, "unknown field number " + std::to_string(unknown.field(i).number()),
+                      "the fields of " + message.GetTypeName()});
+  }
+}
+
 // Besides the scene, whose paths start at the scene itself.
 void check_spec(const v1::CreateSimJobRequest& request, Issues& issues) {
+  check_unknown(request, "", issues);
+  check_unknown(request.spec(), "spec", issues);
   if (!request.has_spec()) {
     issues.push_back({"spec", "missing", "a SimJobSpec"});
     return;
@@ -47,7 +59,11 @@ jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJo
   LoadResult loaded = Issues();
   if (request.spec().has_scene()) loaded = load_scene_message(request.spec().scene());
   if (const Issues* found = std::get_if<Issues>(&loaded)) issues.insert(issues.end(), found->begin(), found->end());
-  if (!issues.empty()) return jobs::error_from_issues(std::move(issues));
+  if (!issues.empty()) {  // else the store checks the other fields
+    const Issues fields = jobs::check_fields(request.request_id(), request.spec().threads());
+    issues.insert(issues.end(), fields.begin(), fields.end());
+    return jobs::error_from_issues(std::move(issues));
+  }
   const jobs::NewJob job = new_job(request, std::move(std::get<LoadedScene>(loaded).message));
   return request.validate_only() ? store.validate(job) : store.create(job);
 }

@@ -26,17 +26,6 @@ bool is_request_id(const std::string& text) {
   return text.size() <= kLongestRequestId && std::all_of(text.begin(), text.end(), allowed);
 }
 
-Issues check_request(const NewJob& request) {
-  Issues issues;
-  if (!is_request_id(request.request_id)) {
-    issues.push_back({"request_id", request.request_id.substr(0, 200), "at most 128 of A-Z a-z 0-9 . _ : -"});
-  }
-  if (request.threads < 0 || request.threads > kMostThreads) {
-    issues.push_back({"spec.threads", std::to_string(request.threads), "0 to " + std::to_string(kMostThreads)});
-  }
-  return issues;
-}
-
 Error invalid_fields(Issues issues) {
   Error error = error_from_issues(std::move(issues));
   error.reason = "INVALID_FIELD";
@@ -58,6 +47,17 @@ char list_name(const std::optional<JobState>& state) {
 }
 
 }  // namespace
+
+Issues check_fields(const std::string& request_id, std::int64_t threads) {
+  Issues issues;
+  if (!is_request_id(request_id)) {
+    issues.push_back({"request_id", request_id.substr(0, 200), "at most 128 of A-Z a-z 0-9 . _ : -"});
+  }
+  if (threads < 0 || threads > kMostThreads) {
+    issues.push_back({"spec.threads", std::to_string(threads), "0 to " + std::to_string(kMostThreads)});
+  }
+  return issues;
+}
 
 std::string page_token_after(const std::string& id, const ListQuery& query) {
   return encode_page_token({id, list_name(query.state)});
@@ -100,14 +100,16 @@ JobInfo JobStore::info_of(const NewJob& request) const {
 }
 
 Outcome<Job> JobStore::validate(const NewJob& request) const {
-  if (Issues issues = check_request(request); !issues.empty()) return invalid_fields(std::move(issues));
+  Issues issues = check_fields(request.request_id, request.threads);
+  if (!issues.empty()) return invalid_fields(std::move(issues));
   Job job;
   job.info = info_of(request);
   return job;
 }
 
 Outcome<Job> JobStore::create(const NewJob& request) {
-  if (Issues issues = check_request(request); !issues.empty()) return invalid_fields(std::move(issues));
+  Issues issues = check_fields(request.request_id, request.threads);
+  if (!issues.empty()) return invalid_fields(std::move(issues));
   const std::lock_guard lock(mutex_);
   Outcome<Job> created = create_locked(request);
   new_work_ = true;

@@ -32,6 +32,9 @@ struct NewJob {
   std::function<std::string(int threads)> spec_hash;  // of the whole spec with so many threads
 };
 
+/// Problems of a request besides its scene.
+Issues check_fields(const std::string& request_id, std::int64_t threads);
+
 struct ListQuery {
   int page_size = 0;              // 0: 50, above 100: 100
   std::string page_token;         // empty: first page

@@ -218,10 +218,14 @@ TEST_F(ErrorsTest, AllViolationsComeAtOnce) {
   v1::Scene& scene = *request.mutable_spec()->mutable_scene();
   scene = swing(3, -1.0, 10.0, 1e-2);
   scene.mutable_yarn()->set_radius_m(-1.0);
+  scene.set_name(std::string(5'000'000, 'N'));
+  request.set_request_id("a b");
+  request.mutable_spec()->set_threads(5000);
+  request.mutable_spec()->GetReflection()->MutableUnknownFields(request.mutable_spec())->AddVarint(4711, 1);
   const grpc::Status refused = create_spec(request);
   expect_error(refused, grpc::StatusCode::INVALID_ARGUMENT, "INVALID_SCENE");
   const std::vector<std::string> fields = violated_fields(refused);
-  for (const char* field : {"spec.work", "duration_s", "yarn.radius_m"}) {
+  for (const char* field : {"spec", "spec.work", "spec.threads", "request_id", "name", "duration_s", "yarn.radius_m"}) {
     EXPECT_TRUE(contains(fields, field)) << field;
   }
   EXPECT_TRUE(contains(violated_fields(create_spec({})), "spec"));
