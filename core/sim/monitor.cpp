@@ -45,7 +45,7 @@ Monitor::Monitor(const Simulation& sim)
 }
 
 std::optional<std::string> Monitor::observe(const Simulation& sim, double residual) {
-  residual_ = std::max(residual_, residual);
+  residual_ = std::fmax(residual_, residual);  // of the first step where there was none before
   observe_segments(sim);
   observe_wraps(sim);
   return pulled_out(sim);
@@ -102,7 +102,7 @@ void Monitor::report(const Simulation& sim, RunSummary& summary) const {
     summary.min_arc_gap_ratio = min_gap_ratio_;
     summary.max_stretch = max_stretch_;
   }
-  if (sim.model().effects.sliding) {
+  if (sim.model().effects.sliding && !std::isnan(residual_)) {
     double sum = 0.0, largest = 0.0;
     int count = 0;
     for (int i = 0; i < topo.num_visits(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ class Monitor {
 
   VecX start_arc_;             // (num_visits)
   std::vector<char> in_cap_;   // per wrap, after the last step
-  double min_gap_ratio_, max_stretch_ = 0.0, residual_ = 0.0;
+  double min_gap_ratio_, max_stretch_ = 0.0;
+  double residual_ = std::numeric_limits<double>::quiet_NaN();  // before the first step
   long ridge_entries_ = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +44,7 @@ struct RunSummary {
   long convex_hessians = 0;                  // times the Hessian was indefinite and its convex part stood in for it
   std::map<std::string, double> wall_by_phase_s;
   std::map<std::string, double> energy_j;    // by term at the end; "kinetic" included
-  double residual = 0.0;                     // largest over the accepted steps
+  double residual = std::numeric_limits<double>::quiet_NaN();  // largest over the accepted steps; NaN: none
   std::string residual_unit;                 // "m/s" or "N"
   std::optional<double> error_estimate_m;
   std::optional<double> min_arc_gap_ratio;   // smallest du / rest du seen

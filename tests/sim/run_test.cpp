@@ -53,6 +53,16 @@ TEST(Run, TakesAStepWrittenToSixDigitsForTheOneMeant) {
   EXPECT_EQ(run(scene, 1, {}).steps, 12);                     // four a frame, three frames
 }
 
+TEST(Run, MeasuresNothingWithoutAStep) {
+  Scene scene = crossed_yarns();
+  scene.duration_s = 0.0;
+  const RunSummary summary = run(scene, 1, {});
+  EXPECT_EQ(summary.steps, 0);
+  EXPECT_TRUE(std::isnan(summary.residual));
+  EXPECT_FALSE(summary.max_slid_m.has_value());
+  EXPECT_FALSE(summary.max_stretch.has_value());
+}
+
 TEST(Run, GivesTheHeaderOnceAndFramesInOrder) {
   int headers = 0;
   std::vector<Frame> frames;
