@@ -2,11 +2,15 @@
 #include "force/parallel_contact.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "force/segments.h"
 
 namespace slipstitch {
 namespace {
+
+constexpr double kBarrierFrom = 0.5;  // of d
 
 // A node that two visits share is a contact; one that slides without being shared is a guide.
 std::vector<bool> contact_visits(const Topology& topology) {
@@ -27,6 +31,31 @@ double parallel_contact_energy(double k_c, double L, double d, const Vec<2>& q, 
   if (g) *g << -k * gap, k * gap;
   if (hess) *hess << k, -k, -k, k;
   return 0.5 * k * gap * gap;
+}
+
+double parallel_contact_barrier(double k_c, double L, double d, const Vec<2>& q, Vec<2>* g, Mat<2>* hess) {
+  const double b = kBarrierFrom * d, r = (q[1] - q[0]) / b;
+  if (r >= 1.0) {
+    if (g) g->setZero();
+    if (hess) hess->setZero();
+    return 0.0;
+  }
+  if (!(r > 0.0)) return std::numeric_limits<double>::infinity();
+  const double scale = k_c * L * d * d, ln = std::log(r), m = r - 1.0;
+  const double force = -scale * (2.0 * m * ln + m * m / r) / b;
+  const double stiffness = -scale * (2.0 * ln + 4.0 * m / r - m * m / (r * r)) / (b * b);
+  if (g) *g << -force, force;
+  if (hess) *hess << stiffness, -stiffness, -stiffness, stiffness;
+  return -scale * m * m * ln;
+}
+
+double ParallelContact::add_barrier(std::size_t i, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
+  Vec<kSize> force;
+  Mat<kSize> stiffness;
+  const double v = parallel_contact_barrier(k_c_, rest_[i], distance_[i], q, g ? &force : nullptr, hess ? &stiffness : nullptr);
+  if (g) *g += force;
+  if (hess) *hess += stiffness;
+  return v;
 }
 
 ParallelContact::ParallelContact(const Model& model) {

@@ -89,7 +89,7 @@ class Run {
 
   RunStatus march(Simulation& sim, Monitor& monitor) {
     for (int frame = 1; frame < num_frames_; ++frame) {
-      const RunStatus status = advance_to(sim, monitor, frame / scene_.frames_per_s);
+      const RunStatus status = advance_to(sim, monitor, std::min(frame / scene_.frames_per_s, scene_.duration_s));
       if (status != RunStatus::succeeded) return status;
       emit(sim);
       progress(sim, step_, last_residual_);
@@ -144,7 +144,7 @@ class Run {
 }  // namespace
 
 int planned_frames(double duration_s, double frames_per_s) {
-  return 1 + static_cast<int>(std::floor(duration_s * frames_per_s + 1e-9));
+  return 1 + static_cast<int>(std::ceil(duration_s * frames_per_s - 1e-9));
 }
 
 std::vector<std::string> effect_names(const Effects& effects) {

@@ -59,7 +59,7 @@ struct RunSummary {
   int threads = 1;
 };
 
-/// Number of frames of a run: frame k is at t = k / frames_per_s, the last one at or before the duration.
+/// Number of frames of a run: frame k is at t = k / frames_per_s, the last one at the duration.
 int planned_frames(double duration_s, double frames_per_s);
 
 /// Names of the engaged effects, in the schema's spelling.

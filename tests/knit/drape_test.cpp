@@ -5,28 +5,17 @@
 #include <cstdio>
 
 #include "sim/run.h"
-#include "swatch.h"
+#include "support/knit_scene.h"
 
 namespace slipstitch {
 namespace {
 
 // The demo's swatch with a quarter of its courses and wales.
 Scene drape(double step_s) {
-  Scene scene;
-  scene.name = "drape";
-  scene.knit.emplace();
-  scene.knit->pattern = test::pattern_of({.preset = "stockinette", .courses = 10, .wales = 10, .effects = {}});
-  scene.knit->gauge = {2.9e-3, 2.03e-3, {}};
+  Scene scene = test::knit_scene("stockinette", 10, 10);
   scene.knit->placement.wale_direction = Vec3(0.0, 0.0, -1.0);
-  scene.effects = test::knit_effects();
-  scene.effects.wrapping->alpha = 0.03;
-  scene.effects.inertia.emplace();
   scene.effects.gravity.emplace();
-  scene.effects.sliding.emplace();
-  scene.effects.sliding_friction.emplace();
-  scene.effects.contact_length.emplace();
-  scene.effects.parallel_contact.emplace();
-  scene.effects.damping = DampingEffect{.stretch_ns = 0.0, .bending_nm2s = 1.35e-8, .wrapping_ns = 9e-3, .sliding_ns_per_m = 10.0};
+  test::use_demo_feel(scene.effects);
   for (Corner corner : {Corner::top_left, Corner::top_right}) scene.handles.push_back(Handle{corner, {}, false});
   scene.duration_s = 0.5;
   scene.frames_per_s = 30.0;

@@ -138,7 +138,8 @@ TEST(Run, PlansTheFramesThatFitIntoTheDuration) {
   EXPECT_EQ(planned_frames(2.0, 30.0), 61);
   EXPECT_EQ(planned_frames(0.0, 30.0), 1);
   EXPECT_EQ(planned_frames(0.1, 30.0), 4);
-  EXPECT_EQ(planned_frames(0.0999, 30.0), 3);
+  EXPECT_EQ(planned_frames(0.0999, 30.0), 4);
+  EXPECT_EQ(planned_frames(0.02, 30.0), 2);
 }
 
 Scene twisted_swatch() {

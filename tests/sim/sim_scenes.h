@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include "model/scene.h"
+#include "support/knit_scene.h"
 
 namespace slipstitch::testing {
 
@@ -40,23 +38,9 @@ inline Scene crossed_yarns() {
 
 /// A free swatch with every effect of a knit but gravity.
 inline Scene free_swatch(int courses, int wales) {
-  Scene scene;
+  Scene scene = test::knit_scene("stockinette", courses, wales);
   scene.name = "swatch";
-  Issues issues;
-  scene.knit.emplace().pattern = pattern_from_preset({"stockinette", courses, wales}, false, "preset", issues);
-  EXPECT_TRUE(issues.empty());
-  scene.knit->gauge.course_spacing_m = 2.9e-3;
-  scene.knit->gauge.wale_spacing_m = 2.03e-3;
   scene.knit->noise_m = 1e-5;
-  scene.effects.inertia.emplace();
-  scene.effects.stretch.emplace();
-  scene.effects.bending.emplace();
-  scene.effects.bending_jamming.emplace();
-  scene.effects.wrapping.emplace();
-  scene.effects.contact_length.emplace();
-  scene.effects.parallel_contact.emplace();
-  scene.effects.sliding.emplace();
-  scene.effects.sliding_friction.emplace();
   scene.effects.damping = DampingEffect{1e-3, 1e-10, 1e-6, 1e-3};
   scene.duration_s = 0.04;
   return scene;
