@@ -43,4 +43,17 @@ concept HasStress = requires(const T& cterm, int k, const Vec<T::kSize>& q, doub
   { cterm.hessian_at(k, q, stress, hess) } -> std::same_as<void>;
 };
 
+/// A term whose stencils change from step to step: revision() changes whenever begin_step changed them.
+template <class T>
+concept HasChangingStencils = requires(const T& cterm) {
+  { cterm.revision() } -> std::same_as<long>;
+};
+
+/// A term that some moves would carry into states it forbids, or past them.
+template <class T>
+concept LimitsMoves = requires(const T& cterm, const VecX& q, VecX& moved, double a) {
+  { cterm.max_step(q, q, a) } -> std::same_as<double>;  // largest share <= a of the way from q by dq
+  { cterm.push_out(moved) } -> std::same_as<void>;      // out of states that scripted bodies have made forbidden
+};
+
 }  // namespace slipstitch

@@ -6,6 +6,8 @@
 
 #include "force/bending.h"
 #include "force/bending_jamming.h"
+#include "force/collider_contact.h"
+#include "force/collider_friction.h"
 #include "force/contact_length.h"
 #include "force/damping.h"
 #include "force/dead_load.h"
@@ -21,7 +23,7 @@ namespace slipstitch {
 /// The one list of force terms. Whatever stands here is assembled, tested and reported.
 using YarnForces = std::tuple<Inertia, Gravity, Stretch, Bending, BendingJamming, Wrapping, ContactLength,
                               ParallelContact, SlidingFriction, DampingStretch, DampingBending, DampingWrapping,
-                              DampingSliding, DeadLoad>;
+                              DampingSliding, DeadLoad, ColliderContact, ColliderFriction>;
 
 inline constexpr std::size_t kNumTerms = std::tuple_size_v<YarnForces>;
 
@@ -36,6 +38,6 @@ template <class Term>
 inline constexpr bool kIsPotential =
     !(std::is_same_v<Term, Inertia> || std::is_same_v<Term, SlidingFriction> || std::is_same_v<Term, DampingStretch> ||
       std::is_same_v<Term, DampingBending> || std::is_same_v<Term, DampingWrapping> ||
-      std::is_same_v<Term, DampingSliding>);
+      std::is_same_v<Term, DampingSliding> || std::is_same_v<Term, ColliderFriction>);
 
 }  // namespace slipstitch

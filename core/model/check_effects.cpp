@@ -63,6 +63,7 @@ void check_effects(const Effects& effects, Checker& check) {
   }
   if (effects.sliding_friction) check_friction(*effects.sliding_friction, check);
   if (effects.damping) check_damping(*effects.damping, check);
+  if (effects.colliders) check_colliders(*effects.colliders, check);
   check_prerequisites(effects, check);
 }
 

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "math/types.h"
+#include "model/collider.h"
 
 namespace slipstitch {
 
@@ -68,6 +70,13 @@ struct DampingEffect {
   double sliding_ns_per_m = 1e-3;  // d_f on every sliding coordinate [N s/m], >= 0; acts only with sliding
 };
 
+/// Rigid bodies that yarn touches but does not enter, with stick-slip friction.
+struct CollidersEffect {
+  std::vector<Collider> colliders;
+  std::optional<double> stiffness_n;      // of the contact, k of gap_energy() > 0; default EA / 1000
+  double stick_stiffness_n_per_m = 100;   // k_t of each touching point > 0
+};
+
 struct Effects {
   std::optional<InertiaEffect> inertia;
   std::optional<GravityEffect> gravity;
@@ -80,6 +89,7 @@ struct Effects {
   std::optional<SlidingEffect> sliding;
   std::optional<SlidingFrictionEffect> sliding_friction;
   std::optional<DampingEffect> damping;
+  std::optional<CollidersEffect> colliders;
 };
 
 }  // namespace slipstitch

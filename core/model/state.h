@@ -1,17 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "math/types.h"
 
 namespace slipstitch {
 
 /// Everything that changes in time; a copy is a snapshot. Sizes in full coordinates (topology.h).
+/// A point of yarn that lies on a collider.
+struct Touch {
+  int sample = 0, body = 0;      // of touch_samples(), of the scene's colliders
+  Vec3 anchor = Vec3::Zero();    // where friction holds it, in the body at t = 0 [m]
+  double normal_force = 0.0;     // > 0 [N]
+};
+
 struct State {
   double t = 0.0;  // [s]
   VecX q;          // positions and arc lengths [m] (num_coords)
   VecX v;          // dq/dt of the last step [m/s] (num_coords)
   VecX p;          // generalised momentum M v [kg m/s] (num_coords)
   VecX anchor;     // friction anchors, arc length [m] (num_visits); follows q where friction is off
+  std::vector<Touch> touches;  // ascending in sample, then body
 };
 
 }  // namespace slipstitch

@@ -36,27 +36,48 @@ Vec<Term::kSize> gather(const Term& term, int k, const VecX& q) {
 
 }  // namespace
 
-Assembly::Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils) : map_(map) {
+Assembly::Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils) : map_(map), stencils_(stencils) {
+  for_each_term(forces, [&](const auto& term, int i) { select(term, pools_[static_cast<std::size_t>(i)]); });
+  make_whole_pattern(forces);
+}
+
+void Assembly::make_whole_pattern(const YarnForces& forces) {
   std::vector<std::vector<int>> cliques;
   for_each_term(forces, [&](const auto& term, int i) {
-    Pool& pool = pools_[static_cast<std::size_t>(i)];
-    select(term, stencils, pool);
-    for (int k : pool.stencil) cliques.push_back(unknowns(map_, term.coords(k)));
+    for (int k : pools_[static_cast<std::size_t>(i)].stencil) cliques.push_back(unknowns(map_, term.coords(k)));
   });
   pattern_ = make_pattern(map_.num_dofs, cliques);
   if (!map_.simple) return;
   for_each_term(forces, [&](const auto& term, int i) { place(term, pools_[static_cast<std::size_t>(i)]); });
 }
 
+void Assembly::refresh(const YarnForces& forces) {
+  bool fits = true;
+  for_each_term(forces, [&](const auto& term, int i) {
+    if constexpr (HasChangingStencils<std::decay_t<decltype(term)>>) {
+      Pool& pool = pools_[static_cast<std::size_t>(i)];
+      if (pool.revision == term.revision()) return;
+      select(term, pool);
+      for (int k : pool.stencil) fits = fits && pattern_->contains(unknowns(map_, term.coords(k)));
+      if (fits && map_.simple) place(term, pool);
+    }
+  });
+  if (!fits) make_whole_pattern(forces);
+}
+
 template <class Term>
-void Assembly::select(const Term& term, Stencils stencils, Pool& pool) const {
+void Assembly::select(const Term& term, Pool& pool) const {
+  pool.stencil.clear();
   for (int k = 0; k < term.size(); ++k)
-    if (stencils == Stencils::all || !unknowns(map_, term.coords(k)).empty()) pool.stencil.push_back(k);
+    if (stencils_ == Stencils::all || !unknowns(map_, term.coords(k)).empty()) pool.stencil.push_back(k);
   if constexpr (HasStress<Term>) pool.stress.assign(pool.stencil.size(), 0.0);
+  if constexpr (HasChangingStencils<Term>) pool.revision = term.revision();
 }
 
 template <class Term>
 void Assembly::place(const Term& term, Pool& pool) const {
+  pool.dofs.clear();
+  pool.slots.clear();
   pool.dofs.reserve(pool.stencil.size() * Term::kSize);
   pool.slots.reserve(pool.stencil.size() * Term::kSize * (Term::kSize + 1) / 2);
   for (int k : pool.stencil) {

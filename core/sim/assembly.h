@@ -14,10 +14,13 @@ namespace slipstitch {
 enum class Stencils { all, touching };  // touching: only those that an unknown of the map enters
 
 /// Sums the energies of all force terms, their gradients and Hessians, in the unknowns of a DofMap.
-/// The sparsity pattern and each stencil's places in it are found once.
+/// The sparsity pattern and each stencil's places in it are kept from step to step.
 class Assembly {
  public:
   Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils = Stencils::all);
+
+  /// Takes in the stencils that begin_step changed. The pattern changes only where one does not fit into it.
+  void refresh(const YarnForces& forces);
 
   double value(const YarnForces& forces, const VecX& q);
   /// g (num_dofs) and h in the unknowns; returns the value.
@@ -36,10 +39,12 @@ class Assembly {
     std::vector<int> stencil;   // (n)
     std::vector<double> stress;  // predicted (n); empty if the term has none
     std::vector<int> dofs;      // unknown of each local coordinate, -1: held (n x kSize); simple maps only
+    long revision = 0;
     std::vector<int> slots;     // place of each lower-triangle pair, -1: none (n x kSize (kSize+1)/2); simple maps only
   };
   template <class Term>
-  void select(const Term& term, Stencils stencils, Pool& pool) const;
+  void select(const Term& term, Pool& pool) const;
+  void make_whole_pattern(const YarnForces& forces);
   template <class Term>
   void place(const Term& term, Pool& pool) const;
   template <class Term>
@@ -50,6 +55,7 @@ class Assembly {
                        SparseMatrix& h) const;
 
   DofMap map_;
+  Stencils stencils_;
   std::shared_ptr<const SparsePattern> pattern_;
   std::array<Pool, kNumTerms> pools_;
   std::array<double, kNumTerms> energies_{};

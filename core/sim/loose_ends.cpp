@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/moves.h"
 #include "solve/newton.h"
 
 namespace slipstitch {
@@ -25,20 +26,26 @@ class EndsObjective final : public Objective {
     put(z);
     return assembly_.derivatives(forces_, q_, mode, g, h);
   }
-  double max_step(const VecX&, const VecX& dz) override {
-    return std::min(1.0, kLongestMove / std::max(dz.cwiseAbs().maxCoeff(), 1e-300));
+  double max_step(const VecX& z, const VecX& dz) override {
+    const double a = std::min(1.0, kLongestMove / std::max(dz.cwiseAbs().maxCoeff(), 1e-300));
+    put(z);
+    return allowed_move(forces_, q_, in_place(dz), a);
   }
   double value_scale() const override { return assembly_.scale(); }
   void predict(const VecX& z, const VecX& dz) override {
     put(z);
-    VecX dq = VecX::Zero(q_.size());
-    for (std::size_t i = 0; i < coords_.size(); ++i) dq[coords_[i]] = dz[static_cast<Eigen::Index>(i)];
-    assembly_.predict(forces_, q_, dq);
+    assembly_.predict(forces_, q_, in_place(dz));
   }
 
  private:
   void put(const VecX& z) {
     for (std::size_t i = 0; i < coords_.size(); ++i) q_[coords_[i]] = z[static_cast<Eigen::Index>(i)];
+  }
+
+  VecX in_place(const VecX& dz) const {
+    VecX dq = VecX::Zero(q_.size());
+    for (std::size_t i = 0; i < coords_.size(); ++i) dq[coords_[i]] = dz[static_cast<Eigen::Index>(i)];
+    return dq;
   }
 
   const YarnForces& forces_;

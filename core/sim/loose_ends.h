@@ -16,6 +16,9 @@ class LooseEnds {
  public:
   LooseEnds(const Topology& topology, const YarnForces& forces, const DofMap& map);
 
+  /// Takes in the stencils that begin_step changed.
+  void refresh(const YarnForces& forces) { assembly_->refresh(forces); }
+
   bool contains_node(int node) const { return is_end_[static_cast<std::size_t>(node)] != 0; }
   const std::vector<int>& coords() const { return coords_; }  // full coordinates of the ends
 

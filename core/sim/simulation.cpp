@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "sim/moves.h"
 #include "sim/step_objective.h"
 
 namespace slipstitch {
@@ -58,6 +59,8 @@ Simulation::Simulation(Model model)
 void Simulation::begin_step(const StepContext& step) {
   const Stopwatch watch(wall_["begin_step"]);
   std::apply([&](auto&... term) { (term.begin_step(step), ...); }, forces_);
+  assembly_.refresh(forces_);
+  ends_.refresh(forces_);
 }
 
 StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop) {
@@ -70,7 +73,8 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   StepObjective objective(forces_, map_, assembly_, model_.topology, wall_);
   TimedSolver solver(*solver_, wall_, linear_solves_);
   VecX y;
-  restrict_to_dofs(map_, state_.q, y);
+  push_out(forces_, start);
+  restrict_to_dofs(map_, start, y);
   objective.keep_arcs(state_.q, quasi_static() ? 0.0 : kKeepArcInAStep);
   objective.predict(y, VecX::Zero(y.size()));
   if (!quasi_static()) {
@@ -106,6 +110,7 @@ void Simulation::accept(double h, const VecX& q) {
   state_.v = v;
   state_.q = q;
   state_.t += h;
+  state_.touches = std::get<ColliderFriction>(forces_).touches_at(std::get<ColliderContact>(forces_), q);
   if (friction.size() > 0) {
     friction.drag_anchors(q, state_.anchor);
   } else {

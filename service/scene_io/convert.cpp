@@ -245,27 +245,14 @@ struct SelectorWriter {
 Handle handle_from(const v1::Handle& message, const std::string& path, Issues& issues) {
   Handle handle;
   handle.where = selector_from(message.where(), path + ".where", issues);
-  for (int i = 0; i < message.motion_size(); ++i) {
-    const v1::Keyframe& from = message.motion(i);
-    const std::string key_path = indexed(path + ".motion", i);
-    Keyframe& keyframe = handle.motion.emplace_back();
-    keyframe.t = from.t();
-    keyframe.translation_m =
-        vector_from(from.translation_m(), keyframe.translation_m, key_path + ".translation_m", issues);
-    keyframe.rotation_rad = vector_from(from.rotation_rad(), keyframe.rotation_rad, key_path + ".rotation_rad", issues);
-  }
+  handle.motion = motion_from(message.motion(), path + ".motion", issues);
   handle.fix_arc_length = message.fix_arc_length();
   return handle;
 }
 
 void write_handle(const Handle& handle, v1::Handle& message) {
   std::visit(SelectorWriter{*message.mutable_where()}, handle.where);
-  for (const Keyframe& keyframe : handle.motion) {
-    v1::Keyframe& to = *message.add_motion();
-    to.set_t(keyframe.t);
-    add_vector(keyframe.translation_m, *to.mutable_translation_m());
-    add_vector(keyframe.rotation_rad, *to.mutable_rotation_rad());
-  }
+  write_motion(handle.motion, *message.mutable_motion());
   message.set_fix_arc_length(handle.fix_arc_length);
 }
 

@@ -121,6 +121,7 @@ Effects effects_from_message(const v1::Effects& message, Issues& issues) {
   read_effects_of_motion(message, effects, issues);
   read_elastic_effects(message, effects);
   read_sliding_effects(message, effects);
+  if (message.has_colliders()) effects.colliders = colliders_from(message.colliders(), issues);
   return effects;
 }
 
@@ -128,6 +129,7 @@ void write_effects(const Effects& effects, v1::Effects& message) {
   write_effects_of_motion(effects, message);
   write_elastic_effects(effects, message);
   write_sliding_effects(effects, message);
+  if (effects.colliders) write_colliders(*effects.colliders, *message.mutable_colliders());
 }
 
 }  // namespace slipstitch

@@ -4,6 +4,7 @@
 #include <google/protobuf/repeated_field.h>
 
 #include <string>
+#include <vector>
 
 #include "model/effects.h"
 #include "model/issue.h"
@@ -23,6 +24,13 @@ void add_vector(const Vec3& vector, Doubles& numbers);
 
 YarnMaterial material_from_message(const v1::YarnMaterial& message);
 void write_material(const YarnMaterial& yarn, v1::YarnMaterial& message);
+
+std::vector<Keyframe> motion_from(const google::protobuf::RepeatedPtrField<v1::Keyframe>& message, const std::string& path,
+                                  Issues& issues);
+void write_motion(const std::vector<Keyframe>& motion, google::protobuf::RepeatedPtrField<v1::Keyframe>& message);
+
+CollidersEffect colliders_from(const v1::CollidersEffect& message, Issues& issues);
+void write_colliders(const CollidersEffect& effect, v1::CollidersEffect& message);
 
 Effects effects_from_message(const v1::Effects& message, Issues& issues);
 void write_effects(const Effects& effects, v1::Effects& message);

@@ -6,7 +6,8 @@ namespace {
 
 // Weight and dead loads act in a given direction, inertia against a given motion.
 template <class T>
-constexpr bool kKnowsSpace = T::kName == "gravity" || T::kName == "inertia" || T::kName == "dead_load";
+constexpr bool kKnowsSpace = T::kName == "gravity" || T::kName == "inertia" || T::kName == "dead_load" ||
+                             T::kName == "colliders" || T::kName == "collider_friction";
 // These compare arc length with its value at the start of the step or with an anchor.
 template <class T>
 constexpr bool kKnowsArcOrigin =
