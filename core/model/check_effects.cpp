@@ -14,6 +14,7 @@ void check_prerequisites(const Effects& effects, Checker& check) {
   needs(effects.sliding_friction.has_value(), "sliding_friction", sliding, "sliding");
   needs(effects.contact_length.has_value(), "contact_length", sliding, "sliding");
   needs(effects.parallel_contact.has_value(), "parallel_contact", sliding, "sliding");
+  needs(effects.air_drag.has_value(), "air_drag", effects.inertia.has_value(), "inertia");
   needs(effects.bending_jamming.has_value(), "bending_jamming", effects.bending.has_value(), "bending");
 }
 
@@ -37,6 +38,12 @@ void check_damping(const DampingEffect& damping, Checker& check) {
   check.not_negative(path + "bending_nm2s", damping.bending_nm2s);
   check.not_negative(path + "wrapping_ns", damping.wrapping_ns);
   check.not_negative(path + "sliding_ns_per_m", damping.sliding_ns_per_m);
+}
+
+void check_air_drag(const AirDragEffect& drag, Checker& check) {
+  const std::string path = "effects.air_drag.";
+  check.not_negative(path + "linear_ns_per_m2", drag.linear_ns_per_m2);
+  if (drag.quadratic_ns2_per_m3) check.not_negative(path + "quadratic_ns2_per_m3", *drag.quadratic_ns2_per_m3);
 }
 
 }  // namespace
@@ -63,6 +70,7 @@ void check_effects(const Effects& effects, Checker& check) {
   }
   if (effects.sliding_friction) check_friction(*effects.sliding_friction, check);
   if (effects.damping) check_damping(*effects.damping, check);
+  if (effects.air_drag) check_air_drag(*effects.air_drag, check);
   check_prerequisites(effects, check);
 }
 

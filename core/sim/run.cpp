@@ -163,6 +163,7 @@ std::vector<std::string> effect_names(const Effects& effects) {
   add(effects.sliding, "sliding");
   add(effects.sliding_friction, "sliding_friction");
   add(effects.damping, "damping");
+  add(effects.air_drag, "air_drag");
   return names;
 }
 

@@ -63,6 +63,24 @@ void read_sliding_effects(const v1::Effects& message, Effects& effects) {
   }
 }
 
+void read_surroundings(const v1::Effects& message, Effects& effects) {
+  if (message.has_air_drag()) {
+    AirDragEffect& drag = effects.air_drag.emplace();
+    drag.linear_ns_per_m2 = message.air_drag().linear_ns_per_m2();
+    if (message.air_drag().has_quadratic_ns2_per_m3()) {
+      drag.quadratic_ns2_per_m3 = message.air_drag().quadratic_ns2_per_m3();
+    }
+  }
+}
+
+void write_surroundings(const Effects& effects, v1::Effects& message) {
+  if (effects.air_drag) {
+    v1::AirDragEffect& drag = *message.mutable_air_drag();
+    drag.set_linear_ns_per_m2(effects.air_drag->linear_ns_per_m2);
+    if (effects.air_drag->quadratic_ns2_per_m3) drag.set_quadratic_ns2_per_m3(*effects.air_drag->quadratic_ns2_per_m3);
+  }
+}
+
 void write_effects_of_motion(const Effects& effects, v1::Effects& message) {
   if (effects.inertia) message.mutable_inertia()->set_sliding_mass_fraction(effects.inertia->sliding_mass_fraction);
   if (effects.gravity) {
@@ -121,6 +139,7 @@ Effects effects_from_message(const v1::Effects& message, Issues& issues) {
   read_effects_of_motion(message, effects, issues);
   read_elastic_effects(message, effects);
   read_sliding_effects(message, effects);
+  read_surroundings(message, effects);
   return effects;
 }
 
@@ -128,6 +147,7 @@ void write_effects(const Effects& effects, v1::Effects& message) {
   write_effects_of_motion(effects, message);
   write_elastic_effects(effects, message);
   write_sliding_effects(effects, message);
+  write_surroundings(effects, message);
 }
 
 }  // namespace slipstitch

@@ -135,6 +135,14 @@ const std::vector<Bad>& bad_scenes() {
       {"effects.damping.bending_nm2s", [](Scene& s) { s.effects.damping->bending_nm2s = kInf; }},
       {"effects.damping.wrapping_ns", [](Scene& s) { s.effects.damping->wrapping_ns = -1.0; }},
       {"effects.damping.sliding_ns_per_m", [](Scene& s) { s.effects.damping->sliding_ns_per_m = -1.0; }},
+      {"effects.air_drag.linear_ns_per_m2", [](Scene& s) { s.effects.air_drag.emplace().linear_ns_per_m2 = -1.0; }},
+      {"effects.air_drag.quadratic_ns2_per_m3",
+       [](Scene& s) { s.effects.air_drag.emplace().quadratic_ns2_per_m3 = kNan; }},
+      {"effects.air_drag",
+       [](Scene& s) {
+         s.effects.air_drag.emplace();
+         s.effects.inertia.reset();
+       }},
       {"handles[0].where",
        [](Scene& s) {
          s.knit.reset();
