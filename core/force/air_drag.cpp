@@ -2,6 +2,7 @@
 #include "force/air_drag.h"
 
 #include "force/segments.h"
+#include "force/wind.h"
 
 namespace slipstitch {
 namespace {
@@ -28,7 +29,7 @@ double air_drag_energy(const DragParameters& p, const DragStep& step, const Vec<
   return step.h * step.length * speed * speed * (0.5 * p.linear + p.quadratic * speed / 3.0);
 }
 
-AirDrag::AirDrag(const Model& model) {
+AirDrag::AirDrag(const Model& model) : model_(&model) {
   if (!model.effects.air_drag) return;
   const AirDragEffect& effect = *model.effects.air_drag;
   const double diameter = 2.0 * model.yarn.radius_m;
@@ -44,7 +45,9 @@ AirDrag::AirDrag(const Model& model) {
 }
 
 void AirDrag::begin_step(const StepContext& step) {
+  if (coords_.empty()) return;
   h_ = step.h;
+  air_ = air_velocity(model_->effects, step.start.t + step.h);
   const VecX& q = step.start.q;
   for (std::size_t k = 0; k < coords_.size(); ++k) {
     start_[k] = q.segment<3>(coords_[k][0]) + q.segment<3>(coords_[k][3]);

@@ -41,6 +41,7 @@ class AirDrag {
   void begin_step(const StepContext& step);
 
  private:
+  const Model* model_ = nullptr;  // outlives the pool
   DragParameters parameters_;
   std::vector<std::array<int, kSize>> coords_;  // x0, x1 (size)
   std::vector<int> arc_coord_;                  // of u0; u1 is the next (size)

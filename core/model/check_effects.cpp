@@ -15,6 +15,7 @@ void check_prerequisites(const Effects& effects, Checker& check) {
   needs(effects.contact_length.has_value(), "contact_length", sliding, "sliding");
   needs(effects.parallel_contact.has_value(), "parallel_contact", sliding, "sliding");
   needs(effects.air_drag.has_value(), "air_drag", effects.inertia.has_value(), "inertia");
+  needs(effects.wind.has_value(), "wind", effects.air_drag.has_value(), "air_drag");
   needs(effects.bending_jamming.has_value(), "bending_jamming", effects.bending.has_value(), "bending");
 }
 
@@ -46,6 +47,13 @@ void check_air_drag(const AirDragEffect& drag, Checker& check) {
   if (drag.quadratic_ns2_per_m3) check.not_negative(path + "quadratic_ns2_per_m3", *drag.quadratic_ns2_per_m3);
 }
 
+void check_wind(const WindEffect& wind, Checker& check) {
+  const std::string path = "effects.wind.";
+  check.finite(path + "velocity_m_per_s", wind.velocity_m_per_s);
+  check.finite(path + "gust_velocity_m_per_s", wind.gust_velocity_m_per_s);
+  check.positive(path + "gust_period_s", wind.gust_period_s);
+}
+
 }  // namespace
 
 void check_effects(const Effects& effects, Checker& check) {
@@ -71,6 +79,7 @@ void check_effects(const Effects& effects, Checker& check) {
   if (effects.sliding_friction) check_friction(*effects.sliding_friction, check);
   if (effects.damping) check_damping(*effects.damping, check);
   if (effects.air_drag) check_air_drag(*effects.air_drag, check);
+  if (effects.wind) check_wind(*effects.wind, check);
   check_prerequisites(effects, check);
 }
 

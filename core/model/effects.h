@@ -74,6 +74,13 @@ struct AirDragEffect {
   std::optional<double> quadratic_ns2_per_m3;  // c2 >= 0; default 1/2 rho C_d 2R, rho = 1.2 kg/m^3, C_d = 1.2
 };
 
+/// Velocity of the air, velocity + gust sin(2 pi t/period). Needs air_drag.
+struct WindEffect {
+  Vec3 velocity_m_per_s = Vec3::Zero();
+  Vec3 gust_velocity_m_per_s = Vec3::Zero();
+  double gust_period_s = 1.0;  // > 0
+};
+
 struct Effects {
   std::optional<InertiaEffect> inertia;
   std::optional<GravityEffect> gravity;
@@ -87,6 +94,7 @@ struct Effects {
   std::optional<SlidingFrictionEffect> sliding_friction;
   std::optional<DampingEffect> damping;
   std::optional<AirDragEffect> air_drag;
+  std::optional<WindEffect> wind;
 };
 
 }  // namespace slipstitch

@@ -164,6 +164,7 @@ std::vector<std::string> effect_names(const Effects& effects) {
   add(effects.sliding_friction, "sliding_friction");
   add(effects.damping, "damping");
   add(effects.air_drag, "air_drag");
+  add(effects.wind, "wind");
   return names;
 }
 

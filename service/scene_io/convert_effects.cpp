@@ -63,13 +63,23 @@ void read_sliding_effects(const v1::Effects& message, Effects& effects) {
   }
 }
 
-void read_surroundings(const v1::Effects& message, Effects& effects) {
+void read_surroundings(const v1::Effects& message, Effects& effects, Issues& issues) {
   if (message.has_air_drag()) {
     AirDragEffect& drag = effects.air_drag.emplace();
     drag.linear_ns_per_m2 = message.air_drag().linear_ns_per_m2();
     if (message.air_drag().has_quadratic_ns2_per_m3()) {
       drag.quadratic_ns2_per_m3 = message.air_drag().quadratic_ns2_per_m3();
     }
+  }
+  if (message.has_wind()) {
+    const v1::WindEffect& from = message.wind();
+    const std::string path = "effects.wind.";
+    WindEffect& wind = effects.wind.emplace();
+    wind.velocity_m_per_s =
+        vector_from(from.velocity_m_per_s(), wind.velocity_m_per_s, path + "velocity_m_per_s", issues);
+    wind.gust_velocity_m_per_s =
+        vector_from(from.gust_velocity_m_per_s(), wind.gust_velocity_m_per_s, path + "gust_velocity_m_per_s", issues);
+    if (from.has_gust_period_s()) wind.gust_period_s = from.gust_period_s();
   }
 }
 
@@ -78,6 +88,12 @@ void write_surroundings(const Effects& effects, v1::Effects& message) {
     v1::AirDragEffect& drag = *message.mutable_air_drag();
     drag.set_linear_ns_per_m2(effects.air_drag->linear_ns_per_m2);
     if (effects.air_drag->quadratic_ns2_per_m3) drag.set_quadratic_ns2_per_m3(*effects.air_drag->quadratic_ns2_per_m3);
+  }
+  if (effects.wind) {
+    v1::WindEffect& wind = *message.mutable_wind();
+    add_vector(effects.wind->velocity_m_per_s, *wind.mutable_velocity_m_per_s());
+    add_vector(effects.wind->gust_velocity_m_per_s, *wind.mutable_gust_velocity_m_per_s());
+    wind.set_gust_period_s(effects.wind->gust_period_s);
   }
 }
 
@@ -139,7 +155,7 @@ Effects effects_from_message(const v1::Effects& message, Issues& issues) {
   read_effects_of_motion(message, effects, issues);
   read_elastic_effects(message, effects);
   read_sliding_effects(message, effects);
-  read_surroundings(message, effects);
+  read_surroundings(message, effects, issues);
   return effects;
 }
 

@@ -25,9 +25,20 @@ Scene good_scene() {
   scene.yarns[1].arc_lengths_m = {0, 1, 2, 3, 4};
   scene.guides = {{0, 1}};
   scene.crossings = {{0, 2, 1, 2}};
-  scene.effects = {InertiaEffect{},        GravityEffect{},         StretchEffect{},       BendingEffect{},
-                   BendingJammingEffect{}, WrappingEffect{},        ContactLengthEffect{}, ParallelContactEffect{},
-                   SlidingEffect{},        SlidingFrictionEffect{}, DampingEffect{}};
+  Effects& on = scene.effects;
+  on.inertia.emplace();
+  on.gravity.emplace();
+  on.stretch.emplace();
+  on.bending.emplace();
+  on.bending_jamming.emplace();
+  on.wrapping.emplace();
+  on.contact_length.emplace();
+  on.parallel_contact.emplace();
+  on.sliding.emplace();
+  on.sliding_friction.emplace();
+  on.damping.emplace();
+  on.air_drag.emplace();
+  on.wind.emplace();
   scene.handles = {{Corner::top_left, {{0.0, {}, {}}, {1.0, {0, 1, 0}, {}}}, false}, {YarnPoint{2, -1}, {}, false}};
   for (Keyframe& key : scene.handles[0].motion) key.rotation_rad = key.translation_m = Vec3::Zero();
   scene.loads = {{StitchRange{1, 3, 1, 4}, {0, -1, 0}}};
@@ -135,14 +146,13 @@ const std::vector<Bad>& bad_scenes() {
       {"effects.damping.bending_nm2s", [](Scene& s) { s.effects.damping->bending_nm2s = kInf; }},
       {"effects.damping.wrapping_ns", [](Scene& s) { s.effects.damping->wrapping_ns = -1.0; }},
       {"effects.damping.sliding_ns_per_m", [](Scene& s) { s.effects.damping->sliding_ns_per_m = -1.0; }},
-      {"effects.air_drag.linear_ns_per_m2", [](Scene& s) { s.effects.air_drag.emplace().linear_ns_per_m2 = -1.0; }},
-      {"effects.air_drag.quadratic_ns2_per_m3",
-       [](Scene& s) { s.effects.air_drag.emplace().quadratic_ns2_per_m3 = kNan; }},
-      {"effects.air_drag",
-       [](Scene& s) {
-         s.effects.air_drag.emplace();
-         s.effects.inertia.reset();
-       }},
+      {"effects.air_drag.linear_ns_per_m2", [](Scene& s) { s.effects.air_drag->linear_ns_per_m2 = -1.0; }},
+      {"effects.air_drag.quadratic_ns2_per_m3", [](Scene& s) { s.effects.air_drag->quadratic_ns2_per_m3 = kNan; }},
+      {"effects.air_drag", [](Scene& s) { s.effects.inertia.reset(); }},
+      {"effects.wind", [](Scene& s) { s.effects.air_drag.reset(); }},
+      {"effects.wind.velocity_m_per_s[0]", [](Scene& s) { s.effects.wind->velocity_m_per_s.x() = kInf; }},
+      {"effects.wind.gust_velocity_m_per_s[2]", [](Scene& s) { s.effects.wind->gust_velocity_m_per_s.z() = kNan; }},
+      {"effects.wind.gust_period_s", [](Scene& s) { s.effects.wind->gust_period_s = 0.0; }},
       {"handles[0].where",
        [](Scene& s) {
          s.knit.reset();

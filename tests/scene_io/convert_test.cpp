@@ -156,6 +156,7 @@ TEST(Convert, AnEmptyMessageHasTheDefaultsOfTheCore) {
   on.sliding_friction.emplace();
   on.damping.emplace();
   on.air_drag.emplace();
+  on.wind.emplace();
   EXPECT_EQ(difference(there_and_back(all_on), message_from_scene(expected)), "");
 }
 
