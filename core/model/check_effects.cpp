@@ -16,6 +16,7 @@ void check_prerequisites(const Effects& effects, Checker& check) {
   needs(effects.parallel_contact.has_value(), "parallel_contact", sliding, "sliding");
   needs(effects.air_drag.has_value(), "air_drag", effects.inertia.has_value(), "inertia");
   needs(effects.wind.has_value(), "wind", effects.air_drag.has_value(), "air_drag");
+  needs(effects.shrinkage.has_value(), "shrinkage", effects.stretch.has_value(), "stretch");
   needs(effects.bending_jamming.has_value(), "bending_jamming", effects.bending.has_value(), "bending");
 }
 
@@ -54,6 +55,18 @@ void check_wind(const WindEffect& wind, Checker& check) {
   check.positive(path + "gust_period_s", wind.gust_period_s);
 }
 
+void check_shrinkage(const ShrinkageEffect& shrinkage, Checker& check) {
+  const std::string path = "effects.shrinkage.keyframes";
+  const std::vector<LengthKeyframe>& keys = shrinkage.keyframes;
+  if (keys.empty()) check.fail(path, "none", "at least one keyframe");
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const bool later = i == 0 ? keys[0].t >= 0.0 : !std::isfinite(keys[i - 1].t) || keys[i].t > keys[i - 1].t;
+    check.require(later, element(path, i) + ".t", keys[i].t,
+                  i == 0 ? "a finite number >= 0" : "a finite number, greater than the one before");
+    check.positive(element(path, i) + ".factor", keys[i].factor);
+  }
+}
+
 }  // namespace
 
 void check_effects(const Effects& effects, Checker& check) {
@@ -80,6 +93,7 @@ void check_effects(const Effects& effects, Checker& check) {
   if (effects.damping) check_damping(*effects.damping, check);
   if (effects.air_drag) check_air_drag(*effects.air_drag, check);
   if (effects.wind) check_wind(*effects.wind, check);
+  if (effects.shrinkage) check_shrinkage(*effects.shrinkage, check);
   check_prerequisites(effects, check);
 }
 

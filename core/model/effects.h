@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "math/types.h"
 
@@ -81,6 +82,18 @@ struct WindEffect {
   double gust_period_s = 1.0;  // > 0
 };
 
+/// Rest length of yarn over its arc length at a time.
+struct LengthKeyframe {
+  double t = 0.0;       // [s] >= 0, strictly increasing
+  double factor = 1.0;  // > 0
+};
+
+/// Yarn that changes its length, as in blocking and fulling: stretch is measured against factor * arc length. Linear
+/// between keyframes and from 1 at t = 0, held after the last. Needs stretch.
+struct ShrinkageEffect {
+  std::vector<LengthKeyframe> keyframes;  // >= 1
+};
+
 struct Effects {
   std::optional<InertiaEffect> inertia;
   std::optional<GravityEffect> gravity;
@@ -95,6 +108,7 @@ struct Effects {
   std::optional<DampingEffect> damping;
   std::optional<AirDragEffect> air_drag;
   std::optional<WindEffect> wind;
+  std::optional<ShrinkageEffect> shrinkage;
 };
 
 }  // namespace slipstitch

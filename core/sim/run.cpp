@@ -63,7 +63,11 @@ class Run {
   }
 
   void begin(const Simulation& sim) {
-    if (hooks_.on_header) hooks_.on_header({sim.model().topology, sim.model().yarn, scene_.frames_per_s, num_frames_});
+    const auto& shrinkage = scene_.effects.shrinkage;
+    if (hooks_.on_header) {
+      hooks_.on_header({sim.model().topology, sim.model().yarn, scene_.frames_per_s, num_frames_,
+                        shrinkage ? shrinkage->keyframes : std::vector<LengthKeyframe>()});
+    }
     emit(sim);
   }
 
@@ -165,6 +169,7 @@ std::vector<std::string> effect_names(const Effects& effects) {
   add(effects.damping, "damping");
   add(effects.air_drag, "air_drag");
   add(effects.wind, "wind");
+  add(effects.shrinkage, "shrinkage");
   return names;
 }
 

@@ -48,7 +48,7 @@ struct RunSummary {
   std::string residual_unit;                 // "m/s" or "N"
   std::optional<double> error_estimate_m;
   std::optional<double> min_arc_gap_ratio;   // smallest du / rest du seen
-  std::optional<double> max_stretch;         // largest |dx|/du seen
+  std::optional<double> max_stretch;         // largest |dx|/(length factor * du) seen
   std::optional<double> max_slid_m, mean_slid_m;  // |arc length - start| over sliding visits at the end
   std::optional<double> faded_wrap_share;    // of all wraps at the end, and of those away from every edge
   std::optional<double> faded_wrap_share_interior;

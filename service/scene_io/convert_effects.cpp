@@ -2,6 +2,25 @@
 #include "scene_io/convert_parts.h"
 
 namespace slipstitch {
+
+std::vector<LengthKeyframe> length_keyframes_from(const LengthKeyframes& messages) {
+  std::vector<LengthKeyframe> keyframes;
+  for (const v1::LengthKeyframe& from : messages) {
+    LengthKeyframe& keyframe = keyframes.emplace_back();
+    keyframe.t = from.t();
+    if (from.has_factor()) keyframe.factor = from.factor();
+  }
+  return keyframes;
+}
+
+void add_length_keyframes(const std::vector<LengthKeyframe>& keyframes, LengthKeyframes& messages) {
+  for (const LengthKeyframe& keyframe : keyframes) {
+    v1::LengthKeyframe& to = *messages.Add();
+    to.set_t(keyframe.t);
+    to.set_factor(keyframe.factor);
+  }
+}
+
 namespace {
 
 void read_effects_of_motion(const v1::Effects& message, Effects& effects, Issues& issues) {
@@ -28,6 +47,9 @@ void read_effects_of_motion(const v1::Effects& message, Effects& effects, Issues
 
 void read_elastic_effects(const v1::Effects& message, Effects& effects) {
   if (message.has_stretch()) effects.stretch.emplace();
+  if (message.has_shrinkage()) {
+    effects.shrinkage.emplace().keyframes = length_keyframes_from(message.shrinkage().keyframes());
+  }
   if (message.has_bending()) effects.bending.emplace();
   if (message.has_bending_jamming()) {
     BendingJammingEffect& jamming = effects.bending_jamming.emplace();
@@ -113,6 +135,9 @@ void write_effects_of_motion(const Effects& effects, v1::Effects& message) {
 
 void write_elastic_effects(const Effects& effects, v1::Effects& message) {
   if (effects.stretch) message.mutable_stretch();
+  if (effects.shrinkage) {
+    add_length_keyframes(effects.shrinkage->keyframes, *message.mutable_shrinkage()->mutable_keyframes());
+  }
   if (effects.bending) message.mutable_bending();
   if (effects.bending_jamming) {
     message.mutable_bending_jamming()->set_max_factor(effects.bending_jamming->max_factor);

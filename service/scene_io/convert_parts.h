@@ -4,6 +4,7 @@
 #include <google/protobuf/repeated_field.h>
 
 #include <string>
+#include <vector>
 
 #include "model/effects.h"
 #include "model/issue.h"
@@ -23,6 +24,10 @@ void add_vector(const Vec3& vector, Doubles& numbers);
 
 YarnMaterial material_from_message(const v1::YarnMaterial& message);
 void write_material(const YarnMaterial& yarn, v1::YarnMaterial& message);
+
+using LengthKeyframes = google::protobuf::RepeatedPtrField<v1::LengthKeyframe>;
+std::vector<LengthKeyframe> length_keyframes_from(const LengthKeyframes& messages);
+void add_length_keyframes(const std::vector<LengthKeyframe>& keyframes, LengthKeyframes& messages);
 
 Effects effects_from_message(const v1::Effects& message, Issues& issues);
 void write_effects(const Effects& effects, v1::Effects& message);

@@ -69,6 +69,7 @@ Effects all_effects() {
   e.damping = DampingEffect{.stretch_ns = 1e-2, .bending_nm2s = 1e-10, .wrapping_ns = 1e-5, .sliding_ns_per_m = 1e-3};
   e.air_drag = AirDragEffect{.linear_ns_per_m2 = 1e-4, .quadratic_ns2_per_m3 = 2e-3};
   e.wind = WindEffect{.velocity_m_per_s = {1.0, -0.5, 2.0}};
+  e.shrinkage.emplace().keyframes = {{0.0, 0.9}};
   return e;
 }
 

@@ -39,6 +39,7 @@ Scene good_scene() {
   on.damping.emplace();
   on.air_drag.emplace();
   on.wind.emplace();
+  on.shrinkage.emplace().keyframes = {{0.0, 1.0}, {1.0, 0.9}};
   scene.handles = {{Corner::top_left, {{0.0, {}, {}}, {1.0, {0, 1, 0}, {}}}, false}, {YarnPoint{2, -1}, {}, false}};
   for (Keyframe& key : scene.handles[0].motion) key.rotation_rad = key.translation_m = Vec3::Zero();
   scene.loads = {{StitchRange{1, 3, 1, 4}, {0, -1, 0}}};
@@ -153,6 +154,11 @@ const std::vector<Bad>& bad_scenes() {
       {"effects.wind.velocity_m_per_s[0]", [](Scene& s) { s.effects.wind->velocity_m_per_s.x() = kInf; }},
       {"effects.wind.gust_velocity_m_per_s[2]", [](Scene& s) { s.effects.wind->gust_velocity_m_per_s.z() = kNan; }},
       {"effects.wind.gust_period_s", [](Scene& s) { s.effects.wind->gust_period_s = 0.0; }},
+      {"effects.shrinkage", [](Scene& s) { s.effects.stretch.reset(); }},
+      {"effects.shrinkage.keyframes", [](Scene& s) { s.effects.shrinkage->keyframes.clear(); }},
+      {"effects.shrinkage.keyframes[0].t", [](Scene& s) { s.effects.shrinkage->keyframes[0].t = -1.0; }},
+      {"effects.shrinkage.keyframes[1].t", [](Scene& s) { s.effects.shrinkage->keyframes[1].t = 0.0; }},
+      {"effects.shrinkage.keyframes[1].factor", [](Scene& s) { s.effects.shrinkage->keyframes[1].factor = 0.0; }},
       {"handles[0].where",
        [](Scene& s) {
          s.knit.reset();

@@ -157,6 +157,7 @@ TEST(Convert, AnEmptyMessageHasTheDefaultsOfTheCore) {
   on.damping.emplace();
   on.air_drag.emplace();
   on.wind.emplace();
+  on.shrinkage.emplace();
   EXPECT_EQ(difference(there_and_back(all_on), message_from_scene(expected)), "");
 }
 
