@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "force/bending.h"
+#include "force/plasticity.h"
 #include "force/segments.h"
 #include "force/shrinkage.h"
 #include "force/stretch.h"
@@ -37,11 +38,15 @@ void add_stretch(const Model& model, const State& state, VisitForces& force) {
   });
 }
 
-void add_bending(const Model& model, const VecX& q, VisitForces& force) {
+void add_bending(const Model& model, const State& state, VisitForces& force) {
   if (!model.effects.bending) return;
+  const double k_b = model.yarn.bending_nm2;
+  const bool plastic = state.set_angle.size() > 0;
   for_each_owned_bend(model.topology, [&](int, int i) {
     Vec<11> g;
-    bending_energy(model.yarn.bending_nm2, gather(bend_coords(model.topology, i), q), &g, nullptr);
+    const Vec<11> bend = gather(bend_coords(model.topology, i), state.q);
+    if (plastic) set_bending_energy(k_b, state.set_angle[i], bend, &g, nullptr);
+    else bending_energy(k_b, bend, &g, nullptr);
     force[static_cast<std::size_t>(i) - 1] -= g.segment<3>(0);
     force[static_cast<std::size_t>(i)] -= g.segment<3>(4);
     force[static_cast<std::size_t>(i) + 1] -= g.segment<3>(7);
@@ -121,7 +126,7 @@ std::vector<double> estimate_normal_forces(const Model& model, const State& stat
   const Topology& topo = model.topology;
   VisitForces force(static_cast<std::size_t>(topo.num_visits()), Vec3::Zero());
   add_stretch(model, state, force);
-  add_bending(model, q, force);
+  add_bending(model, state, force);
   add_wrapping(model, q, force);
   std::vector<double> normal(static_cast<std::size_t>(topo.num_visits()), 0.0);
   std::vector<char> done(normal.size(), 0);

@@ -17,6 +17,7 @@ void check_prerequisites(const Effects& effects, Checker& check) {
   needs(effects.air_drag.has_value(), "air_drag", effects.inertia.has_value(), "inertia");
   needs(effects.wind.has_value(), "wind", effects.air_drag.has_value(), "air_drag");
   needs(effects.shrinkage.has_value(), "shrinkage", effects.stretch.has_value(), "stretch");
+  needs(effects.plasticity.has_value(), "plasticity", effects.bending.has_value(), "bending");
   needs(effects.bending_jamming.has_value(), "bending_jamming", effects.bending.has_value(), "bending");
 }
 
@@ -67,6 +68,11 @@ void check_shrinkage(const ShrinkageEffect& shrinkage, Checker& check) {
   }
 }
 
+void check_plasticity(const PlasticityEffect& plasticity, Checker& check) {
+  check.not_negative("effects.plasticity.yield_angle_rad", plasticity.yield_angle_rad);
+  check.positive("effects.plasticity.relaxation_time_s", plasticity.relaxation_time_s);
+}
+
 }  // namespace
 
 void check_effects(const Effects& effects, Checker& check) {
@@ -94,6 +100,7 @@ void check_effects(const Effects& effects, Checker& check) {
   if (effects.air_drag) check_air_drag(*effects.air_drag, check);
   if (effects.wind) check_wind(*effects.wind, check);
   if (effects.shrinkage) check_shrinkage(*effects.shrinkage, check);
+  if (effects.plasticity) check_plasticity(*effects.plasticity, check);
   check_prerequisites(effects, check);
 }
 

@@ -94,6 +94,13 @@ struct ShrinkageEffect {
   std::vector<LengthKeyframe> keyframes;  // >= 1
 };
 
+/// Bends that keep a set: the angle at rest of a bend, 0 at the start, creeps after the bend angle beyond a yield angle.
+/// It stays with the node, also where the yarn slides, and has no direction. Needs bending.
+struct PlasticityEffect {
+  double yield_angle_rad = 0.5;    // elastic part of a bend angle that it bears for ever [rad], >= 0
+  double relaxation_time_s = 1.0;  // of what is beyond, > 0
+};
+
 struct Effects {
   std::optional<InertiaEffect> inertia;
   std::optional<GravityEffect> gravity;
@@ -109,6 +116,7 @@ struct Effects {
   std::optional<AirDragEffect> air_drag;
   std::optional<WindEffect> wind;
   std::optional<ShrinkageEffect> shrinkage;
+  std::optional<PlasticityEffect> plasticity;
 };
 
 }  // namespace slipstitch

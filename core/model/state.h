@@ -12,6 +12,7 @@ struct State {
   VecX v;          // dq/dt of the last step [m/s] (num_coords)
   VecX p;          // generalised momentum M v [kg m/s] (num_coords)
   VecX anchor;     // friction anchors, arc length [m] (num_visits); follows q where friction is off
+  VecX set_angle;  // rest angle of the bend at every visit [rad] (num_visits); empty without plasticity
 };
 
 }  // namespace slipstitch

@@ -170,6 +170,7 @@ std::vector<std::string> effect_names(const Effects& effects) {
   add(effects.air_drag, "air_drag");
   add(effects.wind, "wind");
   add(effects.shrinkage, "shrinkage");
+  add(effects.plasticity, "plasticity");
   return names;
 }
 

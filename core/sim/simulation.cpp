@@ -40,6 +40,7 @@ State start_state(const Model& model, const YarnForces& forces) {
   state.v = model.start_v;
   state.p = std::get<Inertia>(forces).momentum(state.q, state.v);
   state.anchor = state.q.tail(model.topology.num_visits());
+  if (model.effects.plasticity) state.set_angle = VecX::Zero(model.topology.num_visits());
   return state;
 }
 
@@ -101,6 +102,7 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
 
 void Simulation::accept(double h, const VecX& q) {
   const VecX v = (q - state_.q) / h;
+  std::get<Bending>(forces_).creep(h, q, state_.set_angle);
   const auto& friction = std::get<SlidingFriction>(forces_);
   state_.p = std::get<Inertia>(forces_).momentum(state_.q, v);
   state_.v = v;

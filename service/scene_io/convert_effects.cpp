@@ -51,6 +51,12 @@ void read_elastic_effects(const v1::Effects& message, Effects& effects) {
     effects.shrinkage.emplace().keyframes = length_keyframes_from(message.shrinkage().keyframes());
   }
   if (message.has_bending()) effects.bending.emplace();
+  if (message.has_plasticity()) {
+    const v1::PlasticityEffect& from = message.plasticity();
+    PlasticityEffect& plasticity = effects.plasticity.emplace();
+    if (from.has_yield_angle_rad()) plasticity.yield_angle_rad = from.yield_angle_rad();
+    if (from.has_relaxation_time_s()) plasticity.relaxation_time_s = from.relaxation_time_s();
+  }
   if (message.has_bending_jamming()) {
     BendingJammingEffect& jamming = effects.bending_jamming.emplace();
     if (message.bending_jamming().has_max_factor()) jamming.max_factor = message.bending_jamming().max_factor();
@@ -139,6 +145,10 @@ void write_elastic_effects(const Effects& effects, v1::Effects& message) {
     add_length_keyframes(effects.shrinkage->keyframes, *message.mutable_shrinkage()->mutable_keyframes());
   }
   if (effects.bending) message.mutable_bending();
+  if (effects.plasticity) {
+    message.mutable_plasticity()->set_yield_angle_rad(effects.plasticity->yield_angle_rad);
+    message.mutable_plasticity()->set_relaxation_time_s(effects.plasticity->relaxation_time_s);
+  }
   if (effects.bending_jamming) {
     message.mutable_bending_jamming()->set_max_factor(effects.bending_jamming->max_factor);
     message.mutable_bending_jamming()->set_full_at(effects.bending_jamming->full_at);

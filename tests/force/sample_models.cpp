@@ -70,6 +70,7 @@ Effects all_effects() {
   e.air_drag = AirDragEffect{.linear_ns_per_m2 = 1e-4, .quadratic_ns2_per_m3 = 2e-3};
   e.wind = WindEffect{.velocity_m_per_s = {1.0, -0.5, 2.0}};
   e.shrinkage.emplace().keyframes = {{0.0, 0.9}};
+  e.plasticity.emplace();
   return e;
 }
 
@@ -101,6 +102,9 @@ State state_at(const Model& model, const VecX& q, std::mt19937_64& random) {
   state.v = VecX::NullaryExpr(q.size(), [&] { return 0.05 * normal(random); });
   state.p = VecX::NullaryExpr(q.size(), [&] { return 1e-8 * normal(random); });
   state.anchor = q.tail(model.topology.num_visits());
+  std::uniform_real_distribution<double> angle(0.0, 1.5);
+  if (model.effects.plasticity)
+    state.set_angle = VecX::NullaryExpr(model.topology.num_visits(), [&] { return angle(random); });
   return state;
 }
 

@@ -39,6 +39,7 @@ Scene good_scene() {
   on.damping.emplace();
   on.air_drag.emplace();
   on.wind.emplace();
+  on.plasticity.emplace();
   on.shrinkage.emplace().keyframes = {{0.0, 1.0}, {1.0, 0.9}};
   scene.handles = {{Corner::top_left, {{0.0, {}, {}}, {1.0, {0, 1, 0}, {}}}, false}, {YarnPoint{2, -1}, {}, false}};
   for (Keyframe& key : scene.handles[0].motion) key.rotation_rad = key.translation_m = Vec3::Zero();
@@ -131,7 +132,18 @@ const std::vector<Bad>& bad_scenes() {
        [](Scene& s) { s.effects.gravity->acceleration_m_per_s2.y() = kNan; }},
       {"effects.bending_jamming.max_factor", [](Scene& s) { s.effects.bending_jamming->max_factor = 0.5; }},
       {"effects.bending_jamming.full_at", [](Scene& s) { s.effects.bending_jamming->full_at = 1.0; }},
-      {"effects.bending_jamming", [](Scene& s) { s.effects.bending.reset(); }},
+      {"effects.bending_jamming",
+       [](Scene& s) {
+         s.effects.bending.reset();
+         s.effects.plasticity.reset();
+       }},
+      {"effects.plasticity",
+       [](Scene& s) {
+         s.effects.bending.reset();
+         s.effects.bending_jamming.reset();
+       }},
+      {"effects.plasticity.yield_angle_rad", [](Scene& s) { s.effects.plasticity->yield_angle_rad = -0.1; }},
+      {"effects.plasticity.relaxation_time_s", [](Scene& s) { s.effects.plasticity->relaxation_time_s = 0.0; }},
       {"effects.wrapping.alpha", [](Scene& s) { s.effects.wrapping->alpha = -1.0; }},
       {"effects.wrapping.stiffness_n", [](Scene& s) { s.effects.wrapping->stiffness_n = kNan; }},
       {"effects.wrapping.rest_angle_rad", [](Scene& s) { s.effects.wrapping->rest_angle_rad = kPi; }},

@@ -158,6 +158,7 @@ TEST(Convert, AnEmptyMessageHasTheDefaultsOfTheCore) {
   on.air_drag.emplace();
   on.wind.emplace();
   on.shrinkage.emplace();
+  on.plasticity.emplace();
   EXPECT_EQ(difference(there_and_back(all_on), message_from_scene(expected)), "");
 }
 
