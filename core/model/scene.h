@@ -76,11 +76,13 @@ struct Keyframe {
   Vec3 rotation_rad = Vec3::Zero();      // axis * angle about the group's start centroid, applied before the translation
 };
 
-/// Nodes whose positions are prescribed. No keyframes: a pin. Linear interpolation, held after the last keyframe.
+/// Nodes whose positions are prescribed. No keyframes and no velocity: a pin. Linear interpolation, held after the last
+/// keyframe.
 struct Handle {
   Selector where;
   std::vector<Keyframe> motion;
   bool fix_arc_length = false;           // also hold the arc lengths of these nodes
+  std::optional<Vec3> velocity_m_per_s = std::nullopt;  // constant, from the start on; not together with motion
 };
 
 /// Dead load, divided equally over the selected nodes.

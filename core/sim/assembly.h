@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -56,12 +57,15 @@ class Assembly {
   double scale_ = 0.0;
 };
 
-/// Gradient of one term in full coordinates, added to `gradient` (num_coords).
+/// Gradient of one term in full coordinates, added to `gradient` (num_coords). Only the stencils that touch a coordinate
+/// `wanted` (num_coords) are evaluated; an empty one wants all.
 template <class Term>
-void add_full_gradient(const Term& term, const VecX& q, VecX& gradient) {
+void add_full_gradient(const Term& term, const VecX& q, const std::vector<char>& wanted, VecX& gradient) {
   Vec<Term::kSize> ql, gl;
   for (int k = 0; k < term.size(); ++k) {
     const auto coords = term.coords(k);
+    const auto asked = [&](int c) { return wanted[static_cast<std::size_t>(c)] != 0; };
+    if (!wanted.empty() && std::none_of(coords.begin(), coords.end(), asked)) continue;
     for (int i = 0; i < Term::kSize; ++i) ql[i] = q[coords[static_cast<std::size_t>(i)]];
     term.eval(k, ql, &gl, nullptr);
     for (int i = 0; i < Term::kSize; ++i) gradient[coords[static_cast<std::size_t>(i)]] += gl[i];

@@ -10,6 +10,7 @@
 
 #include "model/model.h"
 #include "sim/frame.h"
+#include "sim/handle_forces.h"
 
 namespace slipstitch {
 
@@ -27,6 +28,8 @@ struct Progress {
 struct RunHooks {
   std::function<void(const FrameHeader&)> on_header;   // once, before the first frame
   std::function<void(const Frame&)> on_frame;          // may be empty
+  std::function<void(double t, const std::vector<Vec3>&)> on_reactions;  // after every step of a scene with handles, the
+                                                                         // force on each [N]; may be empty
   std::function<void(const Progress&)> on_progress;    // after every step; may be empty
   std::function<bool()> should_stop;                   // polled every step and every Newton iteration; may be empty
 };
@@ -53,6 +56,7 @@ struct RunSummary {
   std::optional<double> faded_wrap_share;    // of all wraps at the end, and of those away from every edge
   std::optional<double> faded_wrap_share_interior;
   std::optional<long> wrap_ridge_entries;    // wraps that entered the cap around psi = s psi0 +- pi
+  std::vector<HandleForce> handles;          // one a handle of the scene
   std::optional<long> peak_memory_bytes;
   std::string state_hash;                    // of the final q
   std::string linear_solver, blas, version;

@@ -30,7 +30,12 @@ Vec3 centroid(const std::vector<int>& nodes, const VecX& q) {
 
 void apply_scripts(const Model& model, double t, VecX& offset) {
   for (const ScriptedNodes& handle : model.handles) {
-    if (handle.motion.empty()) continue;
+    if (handle.motion.empty()) {
+      if (handle.velocity_m_per_s.isZero(0.0)) continue;
+      for (int n : handle.nodes)
+        offset.segment<3>(3 * n) = model.start_q.segment<3>(3 * n) + t * handle.velocity_m_per_s;
+      continue;
+    }
     const Keyframe pose = interpolate(handle.motion, t);
     const double angle = pose.rotation_rad.norm();
     const Mat3 turn =

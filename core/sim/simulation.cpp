@@ -133,7 +133,7 @@ std::map<std::string, double> Simulation::energies() {
 
 VecX Simulation::reactions() const {
   VecX gradient = VecX::Zero(map_.num_coords());
-  std::apply([&](const auto&... term) { (add_full_gradient(term, state_.q, gradient), ...); }, forces_);
+  std::apply([&](const auto&... term) { (add_full_gradient(term, state_.q, {}, gradient), ...); }, forces_);
   for (int c = 0; c < map_.num_coords(); ++c)
     if (map_.dof_of(c) >= 0) gradient[c] = 0.0;
   return gradient;

@@ -15,6 +15,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> kStatusWords{"succeeded", "failed", "cancelled"};
 
+void fields(auto& visit, auto& force) requires std::is_same_v<std::remove_cvref_t<decltype(force)>, HandleForce> {
+  visit("reaction_n", force.reaction_n);
+  visit("max_reaction_n", force.max_reaction_n);
+  visit("max_reaction_t_s", force.max_reaction_t_s);
+}
+
 class JsonWriter {
  public:
   template <class T>
@@ -33,6 +39,16 @@ class JsonWriter {
   static Json as_json(const std::map<std::string, double>& values) {
     Json json = Json::object();
     for (const auto& [key, value] : values) json[key] = as_json(value);
+    return json;
+  }
+  static Json as_json(const Vec3& vector) { return {as_json(vector[0]), as_json(vector[1]), as_json(vector[2])}; }
+  static Json as_json(const std::vector<HandleForce>& values) {
+    Json json = Json::array();
+    for (const HandleForce& value : values) {
+      JsonWriter writer;
+      fields(writer, value);
+      json.push_back(writer.take());
+    }
     return json;
   }
   template <class T>
@@ -82,6 +98,19 @@ class JsonReader {
   static bool from_json(const nlohmann::json& json, std::vector<std::string>& values) {
     bool ok = json.is_array();
     for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
+    return ok;
+  }
+  static bool from_json(const nlohmann::json& json, Vec3& vector) {
+    if (!json.is_array() || json.size() != 3) return false;
+    return from_json(json[0], vector[0]) && from_json(json[1], vector[1]) && from_json(json[2], vector[2]);
+  }
+  static bool from_json(const nlohmann::json& json, std::vector<HandleForce>& values) {
+    bool ok = json.is_array();
+    for (std::size_t i = 0; ok && i < json.size(); ++i) {
+      JsonReader reader(json[i]);
+      fields(reader, values.emplace_back());
+      ok = json[i].is_object() && reader.error().empty();
+    }
     return ok;
   }
   static bool from_json(const nlohmann::json& json, std::map<std::string, double>& values) {
@@ -157,6 +186,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("faded_wrap_share", summary.faded_wrap_share);
   visit("faded_wrap_share_interior", summary.faded_wrap_share_interior);
   visit("wrap_ridge_entries", summary.wrap_ridge_entries);
+  visit("handles", summary.handles);
   visit("peak_memory_bytes", summary.peak_memory_bytes);
   visit("state_hash", summary.state_hash);
   visit("linear_solver", summary.linear_solver);

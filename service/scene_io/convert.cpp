@@ -255,6 +255,10 @@ Handle handle_from(const v1::Handle& message, const std::string& path, Issues& i
     keyframe.rotation_rad = vector_from(from.rotation_rad(), keyframe.rotation_rad, key_path + ".rotation_rad", issues);
   }
   handle.fix_arc_length = message.fix_arc_length();
+  if (!message.velocity_m_per_s().empty()) {
+    handle.velocity_m_per_s =
+        vector_from(message.velocity_m_per_s(), Vec3::Zero(), path + ".velocity_m_per_s", issues);
+  }
   return handle;
 }
 
@@ -267,6 +271,7 @@ void write_handle(const Handle& handle, v1::Handle& message) {
     add_vector(keyframe.rotation_rad, *to.mutable_rotation_rad());
   }
   message.set_fix_arc_length(handle.fix_arc_length);
+  if (handle.velocity_m_per_s) add_vector(*handle.velocity_m_per_s, *message.mutable_velocity_m_per_s());
 }
 
 // --- numerics

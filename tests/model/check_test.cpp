@@ -192,6 +192,8 @@ const std::vector<Bad>& bad_scenes() {
       {"handles[0].motion[1].t", [](Scene& s) { s.handles[0].motion[1].t = 0.0; }},
       {"handles[0].motion[0].translation_m[0]", [](Scene& s) { s.handles[0].motion[0].translation_m.x() = kNan; }},
       {"handles[0].motion[1].rotation_rad[2]", [](Scene& s) { s.handles[0].motion[1].rotation_rad.z() = kInf; }},
+      {"handles[0].velocity_m_per_s", [](Scene& s) { s.handles[0].velocity_m_per_s = Vec3(1.0, 0.0, 0.0); }},
+      {"handles[1].velocity_m_per_s[1]", [](Scene& s) { s.handles[1].velocity_m_per_s = Vec3(0.0, kNan, 0.0); }},
       {"loads[0].where.stitches.last_course",
        [](Scene& s) {
          s.loads[0].where = StitchRange{1, 4, 1, 4};

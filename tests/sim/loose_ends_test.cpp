@@ -43,7 +43,7 @@ TEST(LooseEnds, SettleWhereNothingPullsThemAndLeaveTheRest) {
   EXPECT_EQ(q.head(12), before.head(12));
   EXPECT_LT(hanging.energy(q), hanging.energy(before));
   VecX gradient = VecX::Zero(q.size());
-  std::apply([&](const auto&... term) { (add_full_gradient(term, q, gradient), ...); }, hanging.forces);
+  std::apply([&](const auto&... term) { (add_full_gradient(term, q, {}, gradient), ...); }, hanging.forces);
   EXPECT_LT(gradient.segment(12, 3).norm(), 1e-9 * gradient.norm() + 1e-12);
 }
 
