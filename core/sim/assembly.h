@@ -8,6 +8,7 @@
 
 #include "force/yarn_forces.h"
 #include "sim/dof_map.h"
+#include "sim/effect_cost.h"
 #include "solve/objective.h"
 
 namespace slipstitch {
@@ -31,6 +32,8 @@ class Assembly {
   double scale() const { return scale_; }  // sum of |stencil energies| of the last value or derivatives
   /// Energy of each term at the last value or derivatives, in the order of YarnForces.
   const std::array<double, kNumTerms>& energies() const { return energies_; }
+  /// What the terms with stencils here took so far.
+  EffectCosts costs(const YarnForces& forces) const;
 
  private:
   struct Pool {                 // the stencils in use of one term
@@ -38,14 +41,17 @@ class Assembly {
     std::vector<double> stress;  // predicted (n); empty if the term has none
     std::vector<int> dofs;      // unknown of each local coordinate, -1: held (n x kSize); simple maps only
     std::vector<int> slots;     // place of each lower-triangle pair, -1: none (n x kSize (kSize+1)/2); simple maps only
+    long evaluations = 0;       // of one stencil
   };
   template <class Term>
   void select(const Term& term, Stencils stencils, Pool& pool) const;
   template <class Term>
   void place(const Term& term, Pool& pool) const;
   template <class Term>
-  void add(const Term& term, const Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
+  void add(const Term& term, Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
            double& energy);
+  template <class Term>
+  long count_entries(const Term& term, const Pool& pool) const;
   template <class Term>
   void scatter_general(const Term& term, int k, const Vec<Term::kSize>& gl, const Mat<Term::kSize>& hl, VecX& g,
                        SparseMatrix& h) const;

@@ -33,6 +33,7 @@ class Run {
     const RunStatus status = march(sim, monitor, forces);
     monitor.report(sim, summary_);
     summary_.handles = forces.report();
+    summary_.effect_cost = sim.effect_costs();
     summary_.energy_j = sim.energies();
     summary_.wall_by_phase_s = sim.wall_by_phase_s();
     summary_.linear_iterations = sim.linear_solves();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "sim/effect_cost.h"
 #include "sim/frame.h"
 #include "sim/handle_forces.h"
 
@@ -41,6 +42,7 @@ struct RunSummary {
   std::string scene;
   int loops = 0, nodes = 0, dofs = 0;
   std::vector<std::string> effects;
+  EffectCosts effect_cost;                   // by force term; a term whose effect is off is absent
   double sim_time_s = 0.0, wall_s = 0.0;
   int frames = 0;
   long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0, factorizations = 0;

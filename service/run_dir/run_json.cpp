@@ -21,6 +21,13 @@ void fields(auto& visit, auto& force) requires std::is_same_v<std::remove_cvref_
   visit("max_reaction_t_s", force.max_reaction_t_s);
 }
 
+void fields(auto& visit, auto& cost) requires std::is_same_v<std::remove_cvref_t<decltype(cost)>, EffectCost> {
+  visit("stencils", cost.stencils);
+  visit("bytes", cost.bytes);
+  visit("nonzeros", cost.nonzeros);
+  visit("evaluations", cost.evaluations);
+}
+
 class JsonWriter {
  public:
   template <class T>
@@ -36,7 +43,8 @@ class JsonWriter {
   static Json as_json(const std::optional<T>& value) {
     return value ? as_json(*value) : Json(nullptr);
   }
-  static Json as_json(const std::map<std::string, double>& values) {
+  template <class T>
+  static Json as_json(const std::map<std::string, T>& values) {
     Json json = Json::object();
     for (const auto& [key, value] : values) json[key] = as_json(value);
     return json;
@@ -44,12 +52,16 @@ class JsonWriter {
   static Json as_json(const Vec3& vector) { return {as_json(vector[0]), as_json(vector[1]), as_json(vector[2])}; }
   static Json as_json(const std::vector<HandleForce>& values) {
     Json json = Json::array();
-    for (const HandleForce& value : values) {
-      JsonWriter writer;
-      fields(writer, value);
-      json.push_back(writer.take());
-    }
+    for (const HandleForce& value : values) json.push_back(as_json(value));
     return json;
+  }
+  static Json as_json(const HandleForce& value) { return as_object(value); }
+  static Json as_json(const EffectCost& value) { return as_object(value); }
+  template <class T>
+  static Json as_object(const T& value) {
+    JsonWriter writer;
+    fields(writer, value);
+    return writer.take();
   }
   template <class T>
   static Json as_json(const T& value) {
@@ -106,14 +118,20 @@ class JsonReader {
   }
   static bool from_json(const nlohmann::json& json, std::vector<HandleForce>& values) {
     bool ok = json.is_array();
-    for (std::size_t i = 0; ok && i < json.size(); ++i) {
-      JsonReader reader(json[i]);
-      fields(reader, values.emplace_back());
-      ok = json[i].is_object() && reader.error().empty();
-    }
+    for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
     return ok;
   }
-  static bool from_json(const nlohmann::json& json, std::map<std::string, double>& values) {
+  static bool from_json(const nlohmann::json& json, HandleForce& value) { return from_object(json, value); }
+  static bool from_json(const nlohmann::json& json, EffectCost& value) { return from_object(json, value); }
+  template <class T>
+  static bool from_object(const nlohmann::json& json, T& value) {
+    if (!json.is_object()) return false;
+    JsonReader reader(json);
+    fields(reader, value);
+    return reader.error().empty();
+  }
+  template <class T>
+  static bool from_json(const nlohmann::json& json, std::map<std::string, T>& values) {
     if (!json.is_object()) return false;
     for (const auto& [key, value] : json.items()) {
       if (!from_json(value, values[key])) return false;
@@ -165,6 +183,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("nodes", summary.nodes);
   visit("dofs", summary.dofs);
   visit("effects", summary.effects);
+  visit("effect_cost", summary.effect_cost);
   visit("sim_time_s", summary.sim_time_s);
   visit("wall_s", summary.wall_s);
   visit("frames", summary.frames);
