@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "force/term.h"
@@ -15,7 +16,7 @@ namespace slipstitch {
 /// [Cirio et al. 2014, Yarn-level simulation of woven cloth, bending energy]
 double bending_energy(double k_b, const Vec<11>& q, Vec<11>* g, Mat<11>* hess);
 
-/// Bending at every visit between two segments, straight at rest.
+/// Bending at every visit between two segments, straight at rest; with plasticity at its set angle (plasticity.h).
 class Bending {
  public:
   static constexpr int kSize = 11;
@@ -24,13 +25,19 @@ class Bending {
   explicit Bending(const Model& model);
   int size() const { return static_cast<int>(coords_.size()); }
   std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
-  double eval(int, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
-    return bending_energy(k_b_, q, g, hess);
-  }
+  double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
   void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
-  void begin_step(const StepContext&) {}
+  void begin_step(const StepContext& step);
+
+  /// Set angles after a step of h seconds that ended at q (num_visits); untouched without plasticity.
+  void creep(double h, const VecX& q, VecX& set_angle) const;
 
  private:
+  int visit(int k) const { return coords_[static_cast<std::size_t>(k)][3] - first_arc_coord_ + 1; }
+
+  std::optional<PlasticityEffect> plasticity_;
+  int first_arc_coord_ = 0;
+  std::vector<double> set_;                     // [rad] (size); empty without plasticity
   double k_b_ = 0.0;                            // [N m^2]
   std::vector<std::array<int, kSize>> coords_;  // (size)
 };

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "force/bending.h"
+#include "force/plasticity.h"
 #include "force/segments.h"
+#include "force/shrinkage.h"
 #include "force/stretch.h"
 #include "force/wrapping.h"
 
@@ -24,21 +26,27 @@ Vec<static_cast<int>(N)> gather(const std::array<int, N>& coords, const VecX& q)
 
 Vec3 position(const VecX& q, int node) { return q.segment<3>(3 * node); }
 
-void add_stretch(const Model& model, const VecX& q, VisitForces& force) {
+void add_stretch(const Model& model, const State& state, VisitForces& force) {
   if (!model.effects.stretch) return;
+  const double factor = length_factor(model.effects, state.t);
   for_each_owned_segment(model.topology, [&](int, int i) {
     Vec<8> g;
-    stretch_energy(model.yarn.stretch_n, gather(segment_coords(model.topology, i), q), &g, nullptr);
+    const Vec<8> segment = scaled_arcs(gather(segment_coords(model.topology, i), state.q), factor);
+    stretch_energy(model.yarn.stretch_n, segment, &g, nullptr);
     force[static_cast<std::size_t>(i)] -= g.segment<3>(0);
     force[static_cast<std::size_t>(i) + 1] -= g.segment<3>(4);
   });
 }
 
-void add_bending(const Model& model, const VecX& q, VisitForces& force) {
+void add_bending(const Model& model, const State& state, VisitForces& force) {
   if (!model.effects.bending) return;
+  const double k_b = model.yarn.bending_nm2;
+  const bool plastic = state.set_angle.size() > 0;
   for_each_owned_bend(model.topology, [&](int, int i) {
     Vec<11> g;
-    bending_energy(model.yarn.bending_nm2, gather(bend_coords(model.topology, i), q), &g, nullptr);
+    const Vec<11> bend = gather(bend_coords(model.topology, i), state.q);
+    if (plastic) set_bending_energy(k_b, state.set_angle[i], bend, &g, nullptr);
+    else bending_energy(k_b, bend, &g, nullptr);
     force[static_cast<std::size_t>(i) - 1] -= g.segment<3>(0);
     force[static_cast<std::size_t>(i)] -= g.segment<3>(4);
     force[static_cast<std::size_t>(i) + 1] -= g.segment<3>(7);
@@ -113,11 +121,12 @@ double crossing_force(const Topology& topo, const VecX& q, int u, int v, const V
 
 }  // namespace
 
-std::vector<double> estimate_normal_forces(const Model& model, const VecX& q) {
+std::vector<double> estimate_normal_forces(const Model& model, const State& state) {
+  const VecX& q = state.q;
   const Topology& topo = model.topology;
   VisitForces force(static_cast<std::size_t>(topo.num_visits()), Vec3::Zero());
-  add_stretch(model, q, force);
-  add_bending(model, q, force);
+  add_stretch(model, state, force);
+  add_bending(model, state, force);
   add_wrapping(model, q, force);
   std::vector<double> normal(static_cast<std::size_t>(topo.num_visits()), 0.0);
   std::vector<char> done(normal.size(), 0);

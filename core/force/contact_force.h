@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "model/state.h"
 
 namespace slipstitch {
 
@@ -14,6 +15,6 @@ namespace slipstitch {
 ///                   axis of (t(q0,q4) + t(q1,q5)) - (t(q0,q2) + t(q1,q3)), t unit tangents; it points to u's side;
 ///   crossing        F_n = |1/2 n.(F_u - F_v)|, n normal to both yarns (which lies on top is not stored);
 ///   guide           F_n = max(0, n.F_u), n the bisector of the yarn's two directions.
-std::vector<double> estimate_normal_forces(const Model& model, const VecX& q);
+std::vector<double> estimate_normal_forces(const Model& model, const State& state);
 
 }  // namespace slipstitch

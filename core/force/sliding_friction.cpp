@@ -20,7 +20,7 @@ SlidingFriction::SlidingFriction(const Model& model) : model_(&model), first_arc
 void SlidingFriction::begin_step(const StepContext& step) {
   if (visit_.empty()) return;
   const auto& given = model_->effects.sliding_friction->normal_force_n;
-  const std::vector<double> normal = given ? std::vector<double>() : estimate_normal_forces(*model_, step.start.q);
+  const std::vector<double> normal = given ? std::vector<double>() : estimate_normal_forces(*model_, step.start);
   for (std::size_t k = 0; k < visit_.size(); ++k) {
     anchor_[k] = step.start.anchor[visit_[k]];
     limit_[k] = mu_ * (given ? *given : normal[static_cast<std::size_t>(visit_[k])]);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "force/segments.h"
+#include "force/shrinkage.h"
 
 namespace slipstitch {
 
@@ -57,23 +58,37 @@ double stretch_energy(double k_s, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) {
   return 0.5 * tension * (s.length - s.D);
 }
 
+double Stretch::eval(int, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) const {
+  if (factor_ == 1.0) return stretch_energy(k_s_, q, g, hess);
+  const double value = stretch_energy(k_s_, scaled_arcs(q, factor_), g, hess);
+  if (g) scale_arc_rows(factor_, *g);
+  if (hess) scale_arc_rows(factor_, *hess);
+  return value;
+}
+
 double Stretch::stress(int, const Vec<8>& q, const Vec<8>& dq) const {
-  const Segment s(q);
-  return k_s_ * (s.lambda - 1.0 + s.slope().dot(dq) / s.D);
+  const Segment s(scaled_arcs(q, factor_));
+  return k_s_ * (s.lambda - 1.0 + s.slope().dot(scaled_arcs(dq, factor_)) / s.D);
 }
 
 void Stretch::hessian_at(int, const Vec<8>& q, double tension, Mat<8>& hess) const {
-  hess = stretch_hessian(k_s_, tension, Segment(q));
+  hess = stretch_hessian(k_s_, tension, Segment(scaled_arcs(q, factor_)));
+  if (factor_ != 1.0) scale_arc_rows(factor_, hess);
 }
 
 void Stretch::convex_hessian(int, const Vec<8>& q, Mat<8>& hess) const {
-  const Segment s(q);
+  const Segment s(scaled_arcs(q, factor_));
   hess = stretch_hessian(k_s_, std::max(0.0, k_s_ * (s.lambda - 1.0)), s);
+  if (factor_ != 1.0) scale_arc_rows(factor_, hess);
 }
 
-Stretch::Stretch(const Model& model) : k_s_(model.yarn.stretch_n) {
+Stretch::Stretch(const Model& model) : model_(&model), factor_(slipstitch::length_factor(model.effects, 0.0)), k_s_(model.yarn.stretch_n) {
   if (!model.effects.stretch) return;
   for_each_owned_segment(model.topology, [&](int, int i) { coords_.push_back(segment_coords(model.topology, i)); });
+}
+
+void Stretch::begin_step(const StepContext& step) {
+  factor_ = slipstitch::length_factor(model_->effects, step.start.t + step.h);
 }
 
 }  // namespace slipstitch

@@ -14,7 +14,7 @@ namespace slipstitch {
 /// [Cirio et al. 2014, Yarn-level simulation of woven cloth, stretch energy]
 double stretch_energy(double k_s, const Vec<8>& q, Vec<8>* g, Mat<8>* hess);
 
-/// Stretching of every segment.
+/// Stretching of every segment, measured against length_factor() times its arc length (shrinkage.h).
 class Stretch {
  public:
   static constexpr int kSize = 8;
@@ -23,17 +23,19 @@ class Stretch {
   explicit Stretch(const Model& model);
   int size() const { return static_cast<int>(coords_.size()); }
   std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
-  double eval(int, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
-    return stretch_energy(k_s_, q, g, hess);
-  }
-  void begin_step(const StepContext&) {}
+  double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
+  void begin_step(const StepContext& step);
   /// Tension k_s (|d|/D - 1) [N], extrapolated.
   double stress(int k, const Vec<kSize>& q, const Vec<kSize>& dq) const;
   void hessian_at(int k, const Vec<kSize>& q, double tension, Mat<kSize>& hess) const;
   /// Without the geometric stiffness of a segment under compression.
   void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
+  /// Rest length over arc length at the end of the step; 1 without shrinkage.
+  double length_factor() const { return factor_; }
 
  private:
+  const Model* model_ = nullptr;                // outlives the pool
+  double factor_ = 1.0;
   double k_s_ = 0.0;                            // [N]
   std::vector<std::array<int, kSize>> coords_;  // (size)
 };

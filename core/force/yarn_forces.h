@@ -4,6 +4,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "force/air_drag.h"
 #include "force/bending.h"
 #include "force/bending_jamming.h"
 #include "force/collider_contact.h"
@@ -23,7 +24,7 @@ namespace slipstitch {
 /// The one list of force terms. Whatever stands here is assembled, tested and reported.
 using YarnForces = std::tuple<Inertia, Gravity, Stretch, Bending, BendingJamming, Wrapping, ContactLength,
                               ParallelContact, SlidingFriction, DampingStretch, DampingBending, DampingWrapping,
-                              DampingSliding, DeadLoad, ColliderContact, ColliderFriction>;
+                              DampingSliding, AirDrag, DeadLoad, ColliderContact, ColliderFriction>;
 
 inline constexpr std::size_t kNumTerms = std::tuple_size_v<YarnForces>;
 
@@ -38,6 +39,6 @@ template <class Term>
 inline constexpr bool kIsPotential =
     !(std::is_same_v<Term, Inertia> || std::is_same_v<Term, SlidingFriction> || std::is_same_v<Term, DampingStretch> ||
       std::is_same_v<Term, DampingBending> || std::is_same_v<Term, DampingWrapping> ||
-      std::is_same_v<Term, DampingSliding> || std::is_same_v<Term, ColliderFriction>);
+      std::is_same_v<Term, DampingSliding> || std::is_same_v<Term, AirDrag> || std::is_same_v<Term, ColliderFriction>);
 
 }  // namespace slipstitch

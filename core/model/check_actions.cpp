@@ -72,6 +72,12 @@ void check_actions(const Scene& scene, Checker& check) {
     const std::string path = element("handles", i);
     check_selector(scene, scene.handles[i].where, path + ".where", check);
     check_motion(scene.handles[i].motion, path + ".motion", check);
+    if (const auto& velocity = scene.handles[i].velocity_m_per_s) {
+      check.finite(path + ".velocity_m_per_s", *velocity);
+      if (!scene.handles[i].motion.empty()) {
+        check.fail(path + ".velocity_m_per_s", "given", "either motion or velocity_m_per_s, not both");
+      }
+    }
   }
   for (std::size_t i = 0; i < scene.loads.size(); ++i) {
     const std::string path = element("loads", i);

@@ -14,6 +14,10 @@ void check_prerequisites(const Effects& effects, Checker& check) {
   needs(effects.sliding_friction.has_value(), "sliding_friction", sliding, "sliding");
   needs(effects.contact_length.has_value(), "contact_length", sliding, "sliding");
   needs(effects.parallel_contact.has_value(), "parallel_contact", sliding, "sliding");
+  needs(effects.air_drag.has_value(), "air_drag", effects.inertia.has_value(), "inertia");
+  needs(effects.wind.has_value(), "wind", effects.air_drag.has_value(), "air_drag");
+  needs(effects.shrinkage.has_value(), "shrinkage", effects.stretch.has_value(), "stretch");
+  needs(effects.plasticity.has_value(), "plasticity", effects.bending.has_value(), "bending");
   needs(effects.bending_jamming.has_value(), "bending_jamming", effects.bending.has_value(), "bending");
 }
 
@@ -37,6 +41,36 @@ void check_damping(const DampingEffect& damping, Checker& check) {
   check.not_negative(path + "bending_nm2s", damping.bending_nm2s);
   check.not_negative(path + "wrapping_ns", damping.wrapping_ns);
   check.not_negative(path + "sliding_ns_per_m", damping.sliding_ns_per_m);
+}
+
+void check_air_drag(const AirDragEffect& drag, Checker& check) {
+  const std::string path = "effects.air_drag.";
+  check.not_negative(path + "linear_ns_per_m2", drag.linear_ns_per_m2);
+  if (drag.quadratic_ns2_per_m3) check.not_negative(path + "quadratic_ns2_per_m3", *drag.quadratic_ns2_per_m3);
+}
+
+void check_wind(const WindEffect& wind, Checker& check) {
+  const std::string path = "effects.wind.";
+  check.finite(path + "velocity_m_per_s", wind.velocity_m_per_s);
+  check.finite(path + "gust_velocity_m_per_s", wind.gust_velocity_m_per_s);
+  check.positive(path + "gust_period_s", wind.gust_period_s);
+}
+
+void check_shrinkage(const ShrinkageEffect& shrinkage, Checker& check) {
+  const std::string path = "effects.shrinkage.keyframes";
+  const std::vector<LengthKeyframe>& keys = shrinkage.keyframes;
+  if (keys.empty()) check.fail(path, "none", "at least one keyframe");
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const bool later = i == 0 ? keys[0].t >= 0.0 : !std::isfinite(keys[i - 1].t) || keys[i].t > keys[i - 1].t;
+    check.require(later, element(path, i) + ".t", keys[i].t,
+                  i == 0 ? "a finite number >= 0" : "a finite number, greater than the one before");
+    check.positive(element(path, i) + ".factor", keys[i].factor);
+  }
+}
+
+void check_plasticity(const PlasticityEffect& plasticity, Checker& check) {
+  check.not_negative("effects.plasticity.yield_angle_rad", plasticity.yield_angle_rad);
+  check.positive("effects.plasticity.relaxation_time_s", plasticity.relaxation_time_s);
 }
 
 }  // namespace
@@ -64,6 +98,10 @@ void check_effects(const Effects& effects, Checker& check) {
   if (effects.sliding_friction) check_friction(*effects.sliding_friction, check);
   if (effects.damping) check_damping(*effects.damping, check);
   if (effects.colliders) check_colliders(*effects.colliders, check);
+  if (effects.air_drag) check_air_drag(*effects.air_drag, check);
+  if (effects.wind) check_wind(*effects.wind, check);
+  if (effects.shrinkage) check_shrinkage(*effects.shrinkage, check);
+  if (effects.plasticity) check_plasticity(*effects.plasticity, check);
   check_prerequisites(effects, check);
 }
 

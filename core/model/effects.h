@@ -77,6 +77,38 @@ struct CollidersEffect {
   double stick_stiffness_n_per_m = 100;   // k_t of each touching point > 0
 };
 
+/// Drag of the air on every segment, (c1 + c2 |w|) w per metre against its velocity w relative to the air. Needs inertia.
+struct AirDragEffect {
+  double linear_ns_per_m2 = 0.0;               // c1 >= 0
+  std::optional<double> quadratic_ns2_per_m3;  // c2 >= 0; default 1/2 rho C_d 2R, rho = 1.2 kg/m^3, C_d = 1.2
+};
+
+/// Velocity of the air, velocity + gust sin(2 pi t/period). Needs air_drag.
+struct WindEffect {
+  Vec3 velocity_m_per_s = Vec3::Zero();
+  Vec3 gust_velocity_m_per_s = Vec3::Zero();
+  double gust_period_s = 1.0;  // > 0
+};
+
+/// Rest length of yarn over its arc length at a time.
+struct LengthKeyframe {
+  double t = 0.0;       // [s] >= 0, strictly increasing
+  double factor = 1.0;  // > 0
+};
+
+/// Yarn that changes its length, as in blocking and fulling: stretch is measured against factor * arc length. Linear
+/// between keyframes and from 1 at t = 0, held after the last. Needs stretch.
+struct ShrinkageEffect {
+  std::vector<LengthKeyframe> keyframes;  // >= 1
+};
+
+/// Bends that keep a set: the angle at rest of a bend, 0 at the start, creeps after the bend angle beyond a yield angle.
+/// It stays with the node, also where the yarn slides, and has no direction. Needs bending.
+struct PlasticityEffect {
+  double yield_angle_rad = 0.5;    // elastic part of a bend angle that it bears for ever [rad], >= 0
+  double relaxation_time_s = 1.0;  // of what is beyond, > 0
+};
+
 struct Effects {
   std::optional<InertiaEffect> inertia;
   std::optional<GravityEffect> gravity;
@@ -90,6 +122,10 @@ struct Effects {
   std::optional<SlidingFrictionEffect> sliding_friction;
   std::optional<DampingEffect> damping;
   std::optional<CollidersEffect> colliders;
+  std::optional<AirDragEffect> air_drag;
+  std::optional<WindEffect> wind;
+  std::optional<ShrinkageEffect> shrinkage;
+  std::optional<PlasticityEffect> plasticity;
 };
 
 }  // namespace slipstitch

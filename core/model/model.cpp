@@ -19,8 +19,9 @@ PlacedTopology build(const Scene& scene, const RestCell* rest) {
 
 void add_handles(const Scene& scene, Model& model) {
   std::vector<bool> taken(static_cast<std::size_t>(model.topology.num_nodes), false);
-  const auto add = [&](const std::vector<int>& nodes, const Handle& handle) {
-    ScriptedNodes script{{}, handle.motion, handle.fix_arc_length};
+  const auto add = [&](const std::vector<int>& nodes, const Handle& handle, int index) {
+    ScriptedNodes script{{}, handle.motion, handle.fix_arc_length, handle.velocity_m_per_s.value_or(Vec3::Zero()),
+                         index};
     for (const int node : nodes) {
       if (taken[static_cast<std::size_t>(node)]) continue;
       taken[static_cast<std::size_t>(node)] = true;
@@ -28,10 +29,12 @@ void add_handles(const Scene& scene, Model& model) {
     }
     if (!script.nodes.empty()) model.handles.push_back(std::move(script));
   };
-  for (const Handle& handle : scene.handles) add(select_nodes(handle.where, model.topology), handle);
+  for (std::size_t i = 0; i < scene.handles.size(); ++i) {
+    add(select_nodes(scene.handles[i].where, model.topology), scene.handles[i], static_cast<int>(i));
+  }
   std::vector<int> guides;
   for (const Guide& guide : scene.guides) guides.push_back(node_of_point(model.topology, guide.yarn, guide.point));
-  add(guides, Handle{});
+  add(guides, Handle{}, -1);
 }
 
 void add_loads(const Scene& scene, Model& model) {

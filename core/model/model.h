@@ -13,8 +13,10 @@ struct RestCell;
 /// A group of nodes whose positions follow a script.
 struct ScriptedNodes {
   std::vector<int> nodes;
-  std::vector<Keyframe> motion;  // empty: held
+  std::vector<Keyframe> motion;  // empty: held, or moved with the velocity
   bool fix_arc_length = false;
+  Vec3 velocity_m_per_s = Vec3::Zero();
+  int handle = -1;  // into Scene::handles; -1: the guides
 };
 
 /// A scene made concrete: everything that is constant while simulating.

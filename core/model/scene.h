@@ -71,11 +71,13 @@ struct AllNodes {};
 /// Which nodes. A corner is its corner stitch's nodes, an edge its outermost stitches.
 using Selector = std::variant<Corner, Edge, StitchRange, YarnPoint, AllNodes>;
 
-/// Nodes whose positions are prescribed, about the group's start centroid. No keyframes: a pin. Linear interpolation, held after the last keyframe.
+/// Nodes whose positions are prescribed, turned about the group's start centroid. No keyframes and no velocity: a pin.
+/// Linear interpolation, held after the last keyframe.
 struct Handle {
   Selector where;
   std::vector<Keyframe> motion;
   bool fix_arc_length = false;           // also hold the arc lengths of these nodes
+  std::optional<Vec3> velocity_m_per_s = std::nullopt;  // constant, from the start on; not together with motion
 };
 
 /// Dead load, divided equally over the selected nodes.

@@ -22,6 +22,7 @@ struct State {
   VecX p;          // generalised momentum M v [kg m/s] (num_coords)
   VecX anchor;     // friction anchors, arc length [m] (num_visits); follows q where friction is off
   std::vector<Touch> touches;  // ascending in sample, then body
+  VecX set_angle;  // rest angle of the bend at every visit [rad] (num_visits); empty without plasticity
 };
 
 }  // namespace slipstitch

@@ -142,7 +142,7 @@ double eval_in_mode(const Term& term, int k, HessianMode mode, const double* str
 }  // namespace
 
 template <class Term>
-void Assembly::add(const Term& term, const Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
+void Assembly::add(const Term& term, Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
                    double& energy) {
   constexpr int kSize = Term::kSize;
   Vec<kSize> gl;
@@ -150,6 +150,7 @@ void Assembly::add(const Term& term, const Pool& pool, const VecX& q, HessianMod
   const int* dof = pool.dofs.data();
   const int* slot = pool.slots.data();
   const double* stress = pool.stress.data();
+  pool.evaluations += static_cast<long>(pool.stencil.size());
   for (int k : pool.stencil) {
     const double e = eval_in_mode(term, k, mode, stress, gather(term, k, q), gl, hl);
     if constexpr (HasStress<Term>) ++stress;
@@ -200,7 +201,9 @@ double Assembly::value(const YarnForces& forces, const VecX& q) {
   energies_.fill(0.0);
   for_each_term(forces, [&](const auto& term, int i) {
     double& energy = energies_[static_cast<std::size_t>(i)];
-    for (int k : pools_[static_cast<std::size_t>(i)].stencil) {
+    Pool& pool = pools_[static_cast<std::size_t>(i)];
+    pool.evaluations += static_cast<long>(pool.stencil.size());
+    for (int k : pool.stencil) {
       const double e = term.eval(k, gather(term, k, q), nullptr, nullptr);
       energy += e;
       scale_ += std::abs(e);
@@ -209,6 +212,33 @@ double Assembly::value(const YarnForces& forces, const VecX& q) {
   double sum = 0.0;
   for (double e : energies_) sum += e;
   return sum;
+}
+
+template <class Term>
+long Assembly::count_entries(const Term& term, const Pool& pool) const {
+  std::vector<char> entered(pattern_->row.size(), 0);
+  for (int k : pool.stencil) {
+    const std::vector<int> dofs = unknowns(map_, term.coords(k));
+    for (std::size_t c = 0; c < dofs.size(); ++c)
+      for (std::size_t r = c; r < dofs.size(); ++r)
+        entered[static_cast<std::size_t>(pattern_->slot(dofs[r], dofs[c]))] = 1;
+  }
+  return std::count(entered.begin(), entered.end(), 1);
+}
+
+EffectCosts Assembly::costs(const YarnForces& forces) const {
+  EffectCosts costs;
+  for_each_term(forces, [&](const auto& term, int i) {
+    const Pool& pool = pools_[static_cast<std::size_t>(i)];
+    if (pool.stencil.empty()) return;
+    EffectCost& cost = costs[std::string(std::decay_t<decltype(term)>::kName)];
+    cost.stencils = static_cast<long>(pool.stencil.size());
+    cost.bytes = static_cast<long>((pool.stencil.size() + pool.dofs.size() + pool.slots.size()) * sizeof(int) +
+                                   pool.stress.size() * sizeof(double));
+    cost.nonzeros = count_entries(term, pool);
+    cost.evaluations = pool.evaluations;
+  });
+  return costs;
 }
 
 }  // namespace slipstitch

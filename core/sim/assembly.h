@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
 
 #include "force/yarn_forces.h"
 #include "sim/dof_map.h"
+#include "sim/effect_cost.h"
 #include "solve/objective.h"
 
 namespace slipstitch {
@@ -33,6 +35,8 @@ class Assembly {
   double scale() const { return scale_; }  // sum of |stencil energies| of the last value or derivatives
   /// Energy of each term at the last value or derivatives, in the order of YarnForces.
   const std::array<double, kNumTerms>& energies() const { return energies_; }
+  /// What the terms with stencils here took so far.
+  EffectCosts costs(const YarnForces& forces) const;
 
  private:
   struct Pool {                 // the stencils in use of one term
@@ -41,6 +45,7 @@ class Assembly {
     std::vector<int> dofs;      // unknown of each local coordinate, -1: held (n x kSize); simple maps only
     long revision = 0;
     std::vector<int> slots;     // place of each lower-triangle pair, -1: none (n x kSize (kSize+1)/2); simple maps only
+    long evaluations = 0;       // of one stencil
   };
   template <class Term>
   void select(const Term& term, Pool& pool) const;
@@ -48,8 +53,10 @@ class Assembly {
   template <class Term>
   void place(const Term& term, Pool& pool) const;
   template <class Term>
-  void add(const Term& term, const Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
+  void add(const Term& term, Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
            double& energy);
+  template <class Term>
+  long count_entries(const Term& term, const Pool& pool) const;
   template <class Term>
   void scatter_general(const Term& term, int k, const Vec<Term::kSize>& gl, const Mat<Term::kSize>& hl, VecX& g,
                        SparseMatrix& h) const;
@@ -62,12 +69,15 @@ class Assembly {
   double scale_ = 0.0;
 };
 
-/// Gradient of one term in full coordinates, added to `gradient` (num_coords).
+/// Gradient of one term in full coordinates, added to `gradient` (num_coords). Only the stencils that touch a coordinate
+/// `wanted` (num_coords) are evaluated; an empty one wants all.
 template <class Term>
-void add_full_gradient(const Term& term, const VecX& q, VecX& gradient) {
+void add_full_gradient(const Term& term, const VecX& q, const std::vector<char>& wanted, VecX& gradient) {
   Vec<Term::kSize> ql, gl;
   for (int k = 0; k < term.size(); ++k) {
     const auto coords = term.coords(k);
+    const auto asked = [&](int c) { return wanted[static_cast<std::size_t>(c)] != 0; };
+    if (!wanted.empty() && std::none_of(coords.begin(), coords.end(), asked)) continue;
     for (int i = 0; i < Term::kSize; ++i) ql[i] = q[coords[static_cast<std::size_t>(i)]];
     term.eval(k, ql, &gl, nullptr);
     for (int i = 0; i < Term::kSize; ++i) gradient[coords[static_cast<std::size_t>(i)]] += gl[i];

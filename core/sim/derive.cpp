@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <limits>
 
+#include "force/shrinkage.h"
 #include "force/wrap_angle.h"
 #include "sim/frame.h"
 
@@ -17,6 +18,7 @@ double psi(const VecX& q, int x0, int x1, int x3, int x4) {
 Derived derive(const FrameHeader& header, const Frame& frame, const Frame& reference) {
   const Topology& topo = header.topology;
   const VecX& q = frame.q;
+  const double factor = length_factor(header.shrinkage, frame.t);
   const auto visits = static_cast<std::size_t>(topo.num_visits());
   Derived derived;
   derived.tension_n.assign(visits, 0.0);
@@ -26,8 +28,8 @@ Derived derive(const FrameHeader& header, const Frame& frame, const Frame& refer
     derived.slid_m[v] = q[topo.arc_coord(i)] - reference.q[topo.arc_coord(i)];
     if (topo.segment_kind[v] == SegmentKind::none) continue;
     const Vec3 d = q.segment<3>(topo.x_coord(topo.visit_node[v + 1])) - q.segment<3>(topo.x_coord(topo.visit_node[v]));
-    const double arc = q[topo.arc_coord(i + 1)] - q[topo.arc_coord(i)];
-    derived.tension_n[v] = header.yarn.stretch_n * (d.norm() - arc) / arc;
+    const double rest = factor * (q[topo.arc_coord(i + 1)] - q[topo.arc_coord(i)]);
+    derived.tension_n[v] = header.yarn.stretch_n * (d.norm() - rest) / rest;
   }
   for (const StitchContact& c : topo.contacts) {
     derived.wrap_rad.push_back(psi(q, c.q0, c.q1, c.q3, c.q4));

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "model/effects.h"
 #include "model/material.h"
 #include "model/topology.h"
 
@@ -14,6 +15,7 @@ struct FrameHeader {
   YarnMaterial yarn;
   double frames_per_s = 0.0;
   int num_frames = 0;  // planned, frame 0 (the start) included
+  std::vector<LengthKeyframe> shrinkage;  // of ShrinkageEffect; empty: rest length = arc length
 };
 
 /// The full state at an output time. q: full coordinates (topology.h), num_coords.

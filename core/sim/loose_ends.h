@@ -26,6 +26,9 @@ class LooseEnds {
   /// a Newton step is <= step_tolerance [m]. Never raises the energy. Returns the size of the last step, infinity if there was none.
   double settle(const YarnForces& forces, VecX& q, const VecX& before, double step_tolerance);
 
+  /// What the terms took here, beside what they took in the whole.
+  EffectCosts costs(const YarnForces& forces) const { return assembly_->costs(forces); }
+
  private:
   std::vector<char> is_end_;  // (num_nodes)
   std::vector<int> coords_;

@@ -54,13 +54,14 @@ std::optional<std::string> Monitor::observe(const Simulation& sim, double residu
 void Monitor::observe_segments(const Simulation& sim) {
   const Topology& topo = sim.model().topology;
   const VecX& q = sim.state().q;
+  const double factor = std::get<Stretch>(sim.forces()).length_factor();
   for (int i = 0; i + 1 < topo.num_visits(); ++i) {
     const auto v = static_cast<std::size_t>(i);
     if (topo.segment_kind[v] == SegmentKind::none) continue;
     const double arc = q[topo.arc_coord(i + 1)] - q[topo.arc_coord(i)];
     const Vec3 d = q.segment<3>(topo.x_coord(topo.visit_node[v + 1])) - q.segment<3>(topo.x_coord(topo.visit_node[v]));
     min_gap_ratio_ = std::min(min_gap_ratio_, arc / rest_length(topo, i));
-    max_stretch_ = std::max(max_stretch_, d.norm() / arc);
+    max_stretch_ = std::max(max_stretch_, d.norm() / (factor * arc));
   }
 }
 

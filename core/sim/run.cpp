@@ -27,10 +27,13 @@ class Run {
     if (prepared.failure) return finish(RunStatus::failed, *prepared.failure);
     Simulation sim(std::move(prepared.model));
     Monitor monitor(sim);
+    HandleForces forces(sim, scene_.handles.size());
     describe(sim);
     begin(sim);
-    const RunStatus status = march(sim, monitor);
+    const RunStatus status = march(sim, monitor, forces);
     monitor.report(sim, summary_);
+    summary_.handles = forces.report();
+    summary_.effect_cost = sim.effect_costs();
     summary_.energy_j = sim.energies();
     summary_.wall_by_phase_s = sim.wall_by_phase_s();
     summary_.linear_iterations = sim.linear_solves();
@@ -63,7 +66,11 @@ class Run {
   }
 
   void begin(const Simulation& sim) {
-    if (hooks_.on_header) hooks_.on_header({sim.model().topology, sim.model().yarn, scene_.frames_per_s, num_frames_});
+    const auto& shrinkage = scene_.effects.shrinkage;
+    if (hooks_.on_header) {
+      hooks_.on_header({sim.model().topology, sim.model().yarn, scene_.frames_per_s, num_frames_,
+                        shrinkage ? shrinkage->keyframes : std::vector<LengthKeyframe>()});
+    }
     emit(sim);
   }
 
@@ -87,9 +94,16 @@ class Run {
     hooks_.on_progress(p);
   }
 
-  RunStatus march(Simulation& sim, Monitor& monitor) {
+  void measure(const Simulation& sim, HandleForces& forces) const {
+    if (forces.empty()) return;
+    const std::vector<Vec3>& now = forces.observe(sim);
+    if (hooks_.on_reactions) hooks_.on_reactions(sim.state().t, now);
+  }
+
+  RunStatus march(Simulation& sim, Monitor& monitor, HandleForces& forces) {
     for (int frame = 1; frame < num_frames_; ++frame) {
-      const RunStatus status = advance_to(sim, monitor, std::min(frame / scene_.frames_per_s, scene_.duration_s));
+      const double end = std::min(frame / scene_.frames_per_s, scene_.duration_s);
+      const RunStatus status = advance_to(sim, monitor, forces, end);
       if (status != RunStatus::succeeded) return status;
       emit(sim);
       progress(sim, step_, last_residual_);
@@ -99,7 +113,7 @@ class Run {
 
   /// Equal steps of at most the asked size up to time `end`; a step that does not converge is halved, and the size
   /// grows back by one doubling an accepted step.
-  RunStatus advance_to(Simulation& sim, Monitor& monitor, double end) {
+  RunStatus advance_to(Simulation& sim, Monitor& monitor, HandleForces& forces, double end) {
     const double frame = 1.0 / scene_.frames_per_s;
     const double largest = frame / std::ceil(frame / numerics_.time_step_s * (1.0 - 1e-6));
     if (step_ == 0.0) step_ = largest;
@@ -122,6 +136,7 @@ class Run {
       ++summary_.steps;
       last_residual_ = report.residual;
       step_ = std::min(largest, 2.0 * step_);
+      measure(sim, forces);
       if (const auto stop = monitor.observe(sim, report.residual)) {
         summary_.message = *stop;
         return RunStatus::failed;
@@ -164,6 +179,10 @@ std::vector<std::string> effect_names(const Effects& effects) {
   add(effects.sliding_friction, "sliding_friction");
   add(effects.damping, "damping");
   add(effects.colliders, "colliders");
+  add(effects.air_drag, "air_drag");
+  add(effects.wind, "wind");
+  add(effects.shrinkage, "shrinkage");
+  add(effects.plasticity, "plasticity");
   return names;
 }
 

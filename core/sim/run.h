@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "model/model.h"
+#include "sim/effect_cost.h"
 #include "sim/frame.h"
+#include "sim/handle_forces.h"
 
 namespace slipstitch {
 
@@ -27,6 +29,8 @@ struct Progress {
 struct RunHooks {
   std::function<void(const FrameHeader&)> on_header;   // once, before the first frame
   std::function<void(const Frame&)> on_frame;          // may be empty
+  std::function<void(double t, const std::vector<Vec3>&)> on_reactions;  // after every step of a scene with handles, the
+                                                                         // force on each [N]; may be empty
   std::function<void(const Progress&)> on_progress;    // after every step; may be empty
   std::function<bool()> should_stop;                   // polled every step and every Newton iteration; may be empty
 };
@@ -38,6 +42,7 @@ struct RunSummary {
   std::string scene;
   int loops = 0, nodes = 0, dofs = 0;
   std::vector<std::string> effects;
+  EffectCosts effect_cost;                   // by force term; a term whose effect is off is absent
   double sim_time_s = 0.0, wall_s = 0.0;
   int frames = 0;
   long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0, factorizations = 0;
@@ -48,11 +53,12 @@ struct RunSummary {
   std::string residual_unit;                 // "m/s" or "N"
   std::optional<double> error_estimate_m;
   std::optional<double> min_arc_gap_ratio;   // smallest du / rest du seen
-  std::optional<double> max_stretch;         // largest |dx|/du seen
+  std::optional<double> max_stretch;         // largest |dx|/(length factor * du) seen
   std::optional<double> max_slid_m, mean_slid_m;  // |arc length - start| over sliding visits at the end
   std::optional<double> faded_wrap_share;    // of all wraps at the end, and of those away from every edge
   std::optional<double> faded_wrap_share_interior;
   std::optional<long> wrap_ridge_entries;    // wraps that entered the cap around psi = s psi0 +- pi
+  std::vector<HandleForce> handles;          // one a handle of the scene
   std::optional<long> peak_memory_bytes;
   std::string state_hash;                    // of the final q
   std::string linear_solver, blas, version;

@@ -16,7 +16,12 @@ Vec3 centroid(const std::vector<int>& nodes, const VecX& q) {
 
 void apply_scripts(const Model& model, double t, VecX& offset) {
   for (const ScriptedNodes& handle : model.handles) {
-    if (handle.motion.empty()) continue;
+    if (handle.motion.empty()) {
+      if (handle.velocity_m_per_s.isZero(0.0)) continue;
+      for (int n : handle.nodes)
+        offset.segment<3>(3 * n) = model.start_q.segment<3>(3 * n) + t * handle.velocity_m_per_s;
+      continue;
+    }
     const Keyframe pose = motion_at(handle.motion, t);
     const Mat3 turn = turn_by(pose.rotation_rad);
     const Vec3 centre = centroid(handle.nodes, model.start_q);

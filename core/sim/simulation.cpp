@@ -41,6 +41,7 @@ State start_state(const Model& model, const YarnForces& forces) {
   state.v = model.start_v;
   state.p = std::get<Inertia>(forces).momentum(state.q, state.v);
   state.anchor = state.q.tail(model.topology.num_visits());
+  if (model.effects.plasticity) state.set_angle = VecX::Zero(model.topology.num_visits());
   return state;
 }
 
@@ -105,6 +106,7 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
 
 void Simulation::accept(double h, const VecX& q) {
   const VecX v = (q - state_.q) / h;
+  std::get<Bending>(forces_).creep(h, q, state_.set_angle);
   const auto& friction = std::get<SlidingFriction>(forces_);
   state_.p = std::get<Inertia>(forces_).momentum(state_.q, v);
   state_.v = v;
@@ -134,9 +136,18 @@ std::map<std::string, double> Simulation::energies() {
   return result;
 }
 
+EffectCosts Simulation::effect_costs() const {
+  EffectCosts costs = assembly_.costs(forces_);
+  for (const auto& [term, cost] : ends_.costs(forces_)) {
+    costs[term].bytes += cost.bytes;
+    costs[term].evaluations += cost.evaluations;
+  }
+  return costs;
+}
+
 VecX Simulation::reactions() const {
   VecX gradient = VecX::Zero(map_.num_coords());
-  std::apply([&](const auto&... term) { (add_full_gradient(term, state_.q, gradient), ...); }, forces_);
+  std::apply([&](const auto&... term) { (add_full_gradient(term, state_.q, {}, gradient), ...); }, forces_);
   for (int c = 0; c < map_.num_coords(); ++c)
     if (map_.dof_of(c) >= 0) gradient[c] = 0.0;
   return gradient;

@@ -43,6 +43,8 @@ class Simulation {
   std::string solver_name() const { return solver_->name(); }
   const std::map<std::string, double>& wall_by_phase_s() const { return wall_; }
   long linear_solves() const { return linear_solves_; }
+  /// Of every term that has stencils, up to now.
+  EffectCosts effect_costs() const;
 
   /// Stored energy by potential term, and "kinetic", now [J].
   std::map<std::string, double> energies();

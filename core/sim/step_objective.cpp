@@ -118,12 +118,13 @@ double StepObjective::keep_segments(const VecX& q, const VecX& dq, double a) con
 }
 
 bool StepObjective::overstretched(const VecX& q) const {
+  const double allowed = (1.0 + kLargestGuessStrain) * std::get<Stretch>(forces_).length_factor();
   for (int i = 0; i + 1 < topology_.num_visits(); ++i) {
     const auto v = static_cast<std::size_t>(i);
     if (topology_.segment_kind[v] == SegmentKind::none) continue;
     const Vec3 d = q.segment<3>(3 * topology_.visit_node[v + 1]) - q.segment<3>(3 * topology_.visit_node[v]);
     const int u0 = topology_.arc_coord(i);
-    if (d.norm() > (1.0 + kLargestGuessStrain) * (q[u0 + 1] - q[u0])) return true;
+    if (d.norm() > allowed * (q[u0 + 1] - q[u0])) return true;
   }
   return false;
 }

@@ -92,6 +92,9 @@ std::string header_flaw(const FrameHeader& header) {
           {yarn.radius_m, yarn.linear_density_kg_per_m, yarn.stretch_n, yarn.bending_nm2, header.frames_per_s})) {
     return "a number is not finite";
   }
+  for (const LengthKeyframe& key : header.shrinkage) {
+    if (!all_finite({key.t, key.factor}) || !(key.factor > 0.0)) return "a rest length is not positive";
+  }
   return {};
 }
 

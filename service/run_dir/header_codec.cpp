@@ -128,10 +128,17 @@ void fields(Archive& archive, T& yarn) {
 }
 
 template <class Archive, class T>
+requires std::same_as<std::remove_const_t<T>, LengthKeyframe>
+void fields(Archive& archive, T& keyframe) {
+  auto& [t, factor] = keyframe;
+  archive(t, factor);
+}
+
+template <class Archive, class T>
 requires std::same_as<std::remove_const_t<T>, FrameHeader>
 void fields(Archive& archive, T& header) {
-  auto& [topology, yarn, frames_per_s, num_frames] = header;
-  archive(topology, yarn, frames_per_s, num_frames);
+  auto& [topology, yarn, frames_per_s, num_frames, shrinkage] = header;
+  archive(topology, yarn, frames_per_s, num_frames, shrinkage);
 }
 
 }  // namespace

@@ -15,6 +15,19 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 3> kStatusWords{"succeeded", "failed", "cancelled"};
 
+void fields(auto& visit, auto& force) requires std::is_same_v<std::remove_cvref_t<decltype(force)>, HandleForce> {
+  visit("reaction_n", force.reaction_n);
+  visit("max_reaction_n", force.max_reaction_n);
+  visit("max_reaction_t_s", force.max_reaction_t_s);
+}
+
+void fields(auto& visit, auto& cost) requires std::is_same_v<std::remove_cvref_t<decltype(cost)>, EffectCost> {
+  visit("stencils", cost.stencils);
+  visit("bytes", cost.bytes);
+  visit("nonzeros", cost.nonzeros);
+  visit("evaluations", cost.evaluations);
+}
+
 class JsonWriter {
  public:
   template <class T>
@@ -30,10 +43,25 @@ class JsonWriter {
   static Json as_json(const std::optional<T>& value) {
     return value ? as_json(*value) : Json(nullptr);
   }
-  static Json as_json(const std::map<std::string, double>& values) {
+  template <class T>
+  static Json as_json(const std::map<std::string, T>& values) {
     Json json = Json::object();
     for (const auto& [key, value] : values) json[key] = as_json(value);
     return json;
+  }
+  static Json as_json(const Vec3& vector) { return {as_json(vector[0]), as_json(vector[1]), as_json(vector[2])}; }
+  static Json as_json(const std::vector<HandleForce>& values) {
+    Json json = Json::array();
+    for (const HandleForce& value : values) json.push_back(as_json(value));
+    return json;
+  }
+  static Json as_json(const HandleForce& value) { return as_object(value); }
+  static Json as_json(const EffectCost& value) { return as_object(value); }
+  template <class T>
+  static Json as_object(const T& value) {
+    JsonWriter writer;
+    fields(writer, value);
+    return writer.take();
   }
   template <class T>
   static Json as_json(const T& value) {
@@ -84,7 +112,26 @@ class JsonReader {
     for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
     return ok;
   }
-  static bool from_json(const nlohmann::json& json, std::map<std::string, double>& values) {
+  static bool from_json(const nlohmann::json& json, Vec3& vector) {
+    if (!json.is_array() || json.size() != 3) return false;
+    return from_json(json[0], vector[0]) && from_json(json[1], vector[1]) && from_json(json[2], vector[2]);
+  }
+  static bool from_json(const nlohmann::json& json, std::vector<HandleForce>& values) {
+    bool ok = json.is_array();
+    for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
+    return ok;
+  }
+  static bool from_json(const nlohmann::json& json, HandleForce& value) { return from_object(json, value); }
+  static bool from_json(const nlohmann::json& json, EffectCost& value) { return from_object(json, value); }
+  template <class T>
+  static bool from_object(const nlohmann::json& json, T& value) {
+    if (!json.is_object()) return false;
+    JsonReader reader(json);
+    fields(reader, value);
+    return reader.error().empty();
+  }
+  template <class T>
+  static bool from_json(const nlohmann::json& json, std::map<std::string, T>& values) {
     if (!json.is_object()) return false;
     for (const auto& [key, value] : json.items()) {
       if (!from_json(value, values[key])) return false;
@@ -136,6 +183,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("nodes", summary.nodes);
   visit("dofs", summary.dofs);
   visit("effects", summary.effects);
+  visit("effect_cost", summary.effect_cost);
   visit("sim_time_s", summary.sim_time_s);
   visit("wall_s", summary.wall_s);
   visit("frames", summary.frames);
@@ -157,6 +205,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("faded_wrap_share", summary.faded_wrap_share);
   visit("faded_wrap_share_interior", summary.faded_wrap_share_interior);
   visit("wrap_ridge_entries", summary.wrap_ridge_entries);
+  visit("handles", summary.handles);
   visit("peak_memory_bytes", summary.peak_memory_bytes);
   visit("state_hash", summary.state_hash);
   visit("linear_solver", summary.linear_solver);

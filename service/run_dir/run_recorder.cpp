@@ -7,6 +7,7 @@
 
 #include "run_dir/control_log.h"
 #include "run_dir/frame_log.h"
+#include "run_dir/reactions_csv.h"
 
 namespace slipstitch {
 namespace {
@@ -44,6 +45,7 @@ struct RunRecorder::State {
   ControlLogReader control;
   Throttle progress_due, control_due;
   std::optional<FrameLogWriter> log;
+  std::optional<ReactionsCsv> reactions;
   std::optional<Progress> unwritten;
   bool cancelled = false;
   IoError error;  // the first
@@ -61,6 +63,16 @@ struct RunRecorder::State {
 
   void record_frame(const Frame& frame) {
     if (log && error.empty()) note(log->append_frame(frame));
+  }
+
+  void record_reactions(double t, const std::vector<Vec3>& forces) {
+    if (!error.empty()) return;
+    if (!reactions) {
+      Result<ReactionsCsv> created = ReactionsCsv::create(dir.report() / kReactionsFile);
+      if (!created) return note(created.error);
+      reactions.emplace(std::move(*created));
+    }
+    note(reactions->append(t, forces));
   }
 
   void record_progress(const Progress& progress) {
@@ -94,6 +106,7 @@ RunHooks RunRecorder::hooks() {
   RunHooks hooks;
   hooks.on_header = [state](const FrameHeader& header) { state->record_header(header); };
   hooks.on_frame = [state](const Frame& frame) { state->record_frame(frame); };
+  hooks.on_reactions = [state](double t, const std::vector<Vec3>& forces) { state->record_reactions(t, forces); };
   hooks.on_progress = [state](const Progress& progress) { state->record_progress(progress); };
   hooks.should_stop = [state] { return state->should_stop(); };
   return hooks;

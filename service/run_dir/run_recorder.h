@@ -16,7 +16,7 @@ struct RecorderOptions {
   std::function<bool()> should_stop;                 // asked besides control.log; may be empty
 };
 
-/// Writes a run into its directory: frames.log, progress.json, and with finish() the end, the last progress and
+/// Writes a run into its directory: frames.log, progress.json, report/reactions.csv where there are handles, and with finish() the end, the last progress and
 /// summary.json. When the disk refuses, the run is stopped and its summary says failed with the reason.
 class RunRecorder {
  public:

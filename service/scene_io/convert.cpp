@@ -247,6 +247,10 @@ Handle handle_from(const v1::Handle& message, const std::string& path, Issues& i
   handle.where = selector_from(message.where(), path + ".where", issues);
   handle.motion = motion_from(message.motion(), path + ".motion", issues);
   handle.fix_arc_length = message.fix_arc_length();
+  if (!message.velocity_m_per_s().empty()) {
+    handle.velocity_m_per_s =
+        vector_from(message.velocity_m_per_s(), Vec3::Zero(), path + ".velocity_m_per_s", issues);
+  }
   return handle;
 }
 
@@ -254,6 +258,7 @@ void write_handle(const Handle& handle, v1::Handle& message) {
   std::visit(SelectorWriter{*message.mutable_where()}, handle.where);
   write_motion(handle.motion, *message.mutable_motion());
   message.set_fix_arc_length(handle.fix_arc_length);
+  if (handle.velocity_m_per_s) add_vector(*handle.velocity_m_per_s, *message.mutable_velocity_m_per_s());
 }
 
 // --- numerics

@@ -2,6 +2,25 @@
 #include "scene_io/convert_parts.h"
 
 namespace slipstitch {
+
+std::vector<LengthKeyframe> length_keyframes_from(const LengthKeyframes& messages) {
+  std::vector<LengthKeyframe> keyframes;
+  for (const v1::LengthKeyframe& from : messages) {
+    LengthKeyframe& keyframe = keyframes.emplace_back();
+    keyframe.t = from.t();
+    if (from.has_factor()) keyframe.factor = from.factor();
+  }
+  return keyframes;
+}
+
+void add_length_keyframes(const std::vector<LengthKeyframe>& keyframes, LengthKeyframes& messages) {
+  for (const LengthKeyframe& keyframe : keyframes) {
+    v1::LengthKeyframe& to = *messages.Add();
+    to.set_t(keyframe.t);
+    to.set_factor(keyframe.factor);
+  }
+}
+
 namespace {
 
 void read_effects_of_motion(const v1::Effects& message, Effects& effects, Issues& issues) {
@@ -28,7 +47,16 @@ void read_effects_of_motion(const v1::Effects& message, Effects& effects, Issues
 
 void read_elastic_effects(const v1::Effects& message, Effects& effects) {
   if (message.has_stretch()) effects.stretch.emplace();
+  if (message.has_shrinkage()) {
+    effects.shrinkage.emplace().keyframes = length_keyframes_from(message.shrinkage().keyframes());
+  }
   if (message.has_bending()) effects.bending.emplace();
+  if (message.has_plasticity()) {
+    const v1::PlasticityEffect& from = message.plasticity();
+    PlasticityEffect& plasticity = effects.plasticity.emplace();
+    if (from.has_yield_angle_rad()) plasticity.yield_angle_rad = from.yield_angle_rad();
+    if (from.has_relaxation_time_s()) plasticity.relaxation_time_s = from.relaxation_time_s();
+  }
   if (message.has_bending_jamming()) {
     BendingJammingEffect& jamming = effects.bending_jamming.emplace();
     if (message.bending_jamming().has_max_factor()) jamming.max_factor = message.bending_jamming().max_factor();
@@ -63,6 +91,40 @@ void read_sliding_effects(const v1::Effects& message, Effects& effects) {
   }
 }
 
+void read_surroundings(const v1::Effects& message, Effects& effects, Issues& issues) {
+  if (message.has_air_drag()) {
+    AirDragEffect& drag = effects.air_drag.emplace();
+    drag.linear_ns_per_m2 = message.air_drag().linear_ns_per_m2();
+    if (message.air_drag().has_quadratic_ns2_per_m3()) {
+      drag.quadratic_ns2_per_m3 = message.air_drag().quadratic_ns2_per_m3();
+    }
+  }
+  if (message.has_wind()) {
+    const v1::WindEffect& from = message.wind();
+    const std::string path = "effects.wind.";
+    WindEffect& wind = effects.wind.emplace();
+    wind.velocity_m_per_s =
+        vector_from(from.velocity_m_per_s(), wind.velocity_m_per_s, path + "velocity_m_per_s", issues);
+    wind.gust_velocity_m_per_s =
+        vector_from(from.gust_velocity_m_per_s(), wind.gust_velocity_m_per_s, path + "gust_velocity_m_per_s", issues);
+    if (from.has_gust_period_s()) wind.gust_period_s = from.gust_period_s();
+  }
+}
+
+void write_surroundings(const Effects& effects, v1::Effects& message) {
+  if (effects.air_drag) {
+    v1::AirDragEffect& drag = *message.mutable_air_drag();
+    drag.set_linear_ns_per_m2(effects.air_drag->linear_ns_per_m2);
+    if (effects.air_drag->quadratic_ns2_per_m3) drag.set_quadratic_ns2_per_m3(*effects.air_drag->quadratic_ns2_per_m3);
+  }
+  if (effects.wind) {
+    v1::WindEffect& wind = *message.mutable_wind();
+    add_vector(effects.wind->velocity_m_per_s, *wind.mutable_velocity_m_per_s());
+    add_vector(effects.wind->gust_velocity_m_per_s, *wind.mutable_gust_velocity_m_per_s());
+    wind.set_gust_period_s(effects.wind->gust_period_s);
+  }
+}
+
 void write_effects_of_motion(const Effects& effects, v1::Effects& message) {
   if (effects.inertia) message.mutable_inertia()->set_sliding_mass_fraction(effects.inertia->sliding_mass_fraction);
   if (effects.gravity) {
@@ -79,7 +141,14 @@ void write_effects_of_motion(const Effects& effects, v1::Effects& message) {
 
 void write_elastic_effects(const Effects& effects, v1::Effects& message) {
   if (effects.stretch) message.mutable_stretch();
+  if (effects.shrinkage) {
+    add_length_keyframes(effects.shrinkage->keyframes, *message.mutable_shrinkage()->mutable_keyframes());
+  }
   if (effects.bending) message.mutable_bending();
+  if (effects.plasticity) {
+    message.mutable_plasticity()->set_yield_angle_rad(effects.plasticity->yield_angle_rad);
+    message.mutable_plasticity()->set_relaxation_time_s(effects.plasticity->relaxation_time_s);
+  }
   if (effects.bending_jamming) {
     message.mutable_bending_jamming()->set_max_factor(effects.bending_jamming->max_factor);
     message.mutable_bending_jamming()->set_full_at(effects.bending_jamming->full_at);
@@ -122,6 +191,7 @@ Effects effects_from_message(const v1::Effects& message, Issues& issues) {
   read_elastic_effects(message, effects);
   read_sliding_effects(message, effects);
   if (message.has_colliders()) effects.colliders = colliders_from(message.colliders(), issues);
+  read_surroundings(message, effects, issues);
   return effects;
 }
 
@@ -130,6 +200,7 @@ void write_effects(const Effects& effects, v1::Effects& message) {
   write_elastic_effects(effects, message);
   write_sliding_effects(effects, message);
   if (effects.colliders) write_colliders(*effects.colliders, *message.mutable_colliders());
+  write_surroundings(effects, message);
 }
 
 }  // namespace slipstitch

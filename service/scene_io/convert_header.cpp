@@ -149,6 +149,7 @@ v1::FrameHeader message_from_header(const FrameHeader& header) {
   write_material(header.yarn, *message.mutable_yarn());
   message.set_frames_per_s(header.frames_per_s);
   message.set_num_frames(static_cast<std::uint32_t>(header.num_frames));
+  add_length_keyframes(header.shrinkage, *message.mutable_shrinkage());
   return message;
 }
 
@@ -159,6 +160,7 @@ std::optional<FrameHeader> header_from_message(const v1::FrameHeader& message) {
   header.yarn = material_from_message(message.yarn());
   header.frames_per_s = message.frames_per_s();
   header.num_frames = static_cast<int>(message.num_frames());
+  header.shrinkage = length_keyframes_from(message.shrinkage());
   return header;
 }
 

@@ -31,6 +31,9 @@ void write_motion(const std::vector<Keyframe>& motion, google::protobuf::Repeate
 
 CollidersEffect colliders_from(const v1::CollidersEffect& message, Issues& issues);
 void write_colliders(const CollidersEffect& effect, v1::CollidersEffect& message);
+using LengthKeyframes = google::protobuf::RepeatedPtrField<v1::LengthKeyframe>;
+std::vector<LengthKeyframe> length_keyframes_from(const LengthKeyframes& messages);
+void add_length_keyframes(const std::vector<LengthKeyframe>& keyframes, LengthKeyframes& messages);
 
 Effects effects_from_message(const v1::Effects& message, Issues& issues);
 void write_effects(const Effects& effects, v1::Effects& message);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "cli/screen/progress_bar.h"
@@ -81,6 +82,24 @@ TEST(SummaryText, ShowsWhatWasMeasuredAndNothingElse) {
   EXPECT_EQ(text.find("at most"), std::string::npos);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
+}
+
+TEST(SummaryText, ShowsTheForcesOfAFewHandles) {
+  nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}, {"handles", nlohmann::ordered_json::array()}};
+  const auto lines_with_handles = [&] {
+    const std::string text = summary_text(json);
+    return std::count(text.begin(), text.end(), '\n') - 1;
+  };
+  EXPECT_EQ(lines_with_handles(), 0);
+  for (int i = 1; i <= 6; ++i) {
+    json["handles"].push_back(
+        {{"reaction_n", {0.3, -0.4, 0.0}}, {"max_reaction_n", 1.25}, {"max_reaction_t_s", 0.7}});
+    EXPECT_EQ(lines_with_handles(), std::min(i, 4)) << summary_text(json);
+  }
+  for (const char* part : {"handle 2", "0.5 N at the end, 1.25 N at most (at 0.7 s)", "3 more handles"})
+    EXPECT_NE(summary_text(json).find(part), std::string::npos) << summary_text(json);
+  json["handles"] = {{{"reaction_n", {nullptr, nullptr, nullptr}}, {"max_reaction_n", nullptr}}};
+  EXPECT_EQ(lines_with_handles(), 0);
 }
 
 TEST(SummaryText, TakesASummaryWithNothingMeasured) {

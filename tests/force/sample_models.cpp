@@ -74,6 +74,10 @@ Effects all_effects() {
       {Plane{{0.0, -0.4 * kMm - 0.97 * radius, 0.0}, Vec3::UnitY()}, 0.3, {}},
       {Sphere{Vec3(2.9 * kMm, 1.3 * kMm, 1.5 * kMm) + (kMm + 0.95 * radius) * Vec3(2.0, 1.0, 2.0) / 3.0, kMm}, 0.5, {}},
       {Box{Vec3(-0.7, 1.1, 0.4) * kMm + (kMm + 0.98 * radius) * Vec3::UnitZ(), Vec3::Constant(kMm), Vec3::Zero()}, 0.0, {}}};
+  e.air_drag = AirDragEffect{.linear_ns_per_m2 = 1e-4, .quadratic_ns2_per_m3 = 2e-3};
+  e.wind = WindEffect{.velocity_m_per_s = {1.0, -0.5, 2.0}};
+  e.shrinkage.emplace().keyframes = {{0.0, 0.9}};
+  e.plasticity.emplace();
   return e;
 }
 
@@ -112,6 +116,9 @@ State state_at(const Model& model, const VecX& q, std::mt19937_64& random) {
       state.touches.push_back({i, i % 3, anchor, 1e-2});
     }
   }
+  std::uniform_real_distribution<double> angle(0.0, 1.5);
+  if (model.effects.plasticity)
+    state.set_angle = VecX::NullaryExpr(model.topology.num_visits(), [&] { return angle(random); });
   return state;
 }
 

@@ -25,9 +25,22 @@ Scene good_scene() {
   scene.yarns[1].arc_lengths_m = {0, 1, 2, 3, 4};
   scene.guides = {{0, 1}};
   scene.crossings = {{0, 2, 1, 2}};
-  scene.effects = {InertiaEffect{},        GravityEffect{},         StretchEffect{},       BendingEffect{},
-                   BendingJammingEffect{}, WrappingEffect{},        ContactLengthEffect{}, ParallelContactEffect{},
-                   SlidingEffect{},        SlidingFrictionEffect{}, DampingEffect{}};
+  Effects& on = scene.effects;
+  on.inertia.emplace();
+  on.gravity.emplace();
+  on.stretch.emplace();
+  on.bending.emplace();
+  on.bending_jamming.emplace();
+  on.wrapping.emplace();
+  on.contact_length.emplace();
+  on.parallel_contact.emplace();
+  on.sliding.emplace();
+  on.sliding_friction.emplace();
+  on.damping.emplace();
+  on.air_drag.emplace();
+  on.wind.emplace();
+  on.plasticity.emplace();
+  on.shrinkage.emplace().keyframes = {{0.0, 1.0}, {1.0, 0.9}};
   scene.handles = {{Corner::top_left, {{0.0, {}, {}}, {1.0, {0, 1, 0}, {}}}, false}, {YarnPoint{2, -1}, {}, false}};
   for (Keyframe& key : scene.handles[0].motion) key.rotation_rad = key.translation_m = Vec3::Zero();
   scene.loads = {{StitchRange{1, 3, 1, 4}, {0, -1, 0}}};
@@ -119,7 +132,18 @@ const std::vector<Bad>& bad_scenes() {
        [](Scene& s) { s.effects.gravity->acceleration_m_per_s2.y() = kNan; }},
       {"effects.bending_jamming.max_factor", [](Scene& s) { s.effects.bending_jamming->max_factor = 0.5; }},
       {"effects.bending_jamming.full_at", [](Scene& s) { s.effects.bending_jamming->full_at = 1.0; }},
-      {"effects.bending_jamming", [](Scene& s) { s.effects.bending.reset(); }},
+      {"effects.bending_jamming",
+       [](Scene& s) {
+         s.effects.bending.reset();
+         s.effects.plasticity.reset();
+       }},
+      {"effects.plasticity",
+       [](Scene& s) {
+         s.effects.bending.reset();
+         s.effects.bending_jamming.reset();
+       }},
+      {"effects.plasticity.yield_angle_rad", [](Scene& s) { s.effects.plasticity->yield_angle_rad = -0.1; }},
+      {"effects.plasticity.relaxation_time_s", [](Scene& s) { s.effects.plasticity->relaxation_time_s = 0.0; }},
       {"effects.wrapping.alpha", [](Scene& s) { s.effects.wrapping->alpha = -1.0; }},
       {"effects.wrapping.stiffness_n", [](Scene& s) { s.effects.wrapping->stiffness_n = kNan; }},
       {"effects.wrapping.rest_angle_rad", [](Scene& s) { s.effects.wrapping->rest_angle_rad = kPi; }},
@@ -135,6 +159,18 @@ const std::vector<Bad>& bad_scenes() {
       {"effects.damping.bending_nm2s", [](Scene& s) { s.effects.damping->bending_nm2s = kInf; }},
       {"effects.damping.wrapping_ns", [](Scene& s) { s.effects.damping->wrapping_ns = -1.0; }},
       {"effects.damping.sliding_ns_per_m", [](Scene& s) { s.effects.damping->sliding_ns_per_m = -1.0; }},
+      {"effects.air_drag.linear_ns_per_m2", [](Scene& s) { s.effects.air_drag->linear_ns_per_m2 = -1.0; }},
+      {"effects.air_drag.quadratic_ns2_per_m3", [](Scene& s) { s.effects.air_drag->quadratic_ns2_per_m3 = kNan; }},
+      {"effects.air_drag", [](Scene& s) { s.effects.inertia.reset(); }},
+      {"effects.wind", [](Scene& s) { s.effects.air_drag.reset(); }},
+      {"effects.wind.velocity_m_per_s[0]", [](Scene& s) { s.effects.wind->velocity_m_per_s.x() = kInf; }},
+      {"effects.wind.gust_velocity_m_per_s[2]", [](Scene& s) { s.effects.wind->gust_velocity_m_per_s.z() = kNan; }},
+      {"effects.wind.gust_period_s", [](Scene& s) { s.effects.wind->gust_period_s = 0.0; }},
+      {"effects.shrinkage", [](Scene& s) { s.effects.stretch.reset(); }},
+      {"effects.shrinkage.keyframes", [](Scene& s) { s.effects.shrinkage->keyframes.clear(); }},
+      {"effects.shrinkage.keyframes[0].t", [](Scene& s) { s.effects.shrinkage->keyframes[0].t = -1.0; }},
+      {"effects.shrinkage.keyframes[1].t", [](Scene& s) { s.effects.shrinkage->keyframes[1].t = 0.0; }},
+      {"effects.shrinkage.keyframes[1].factor", [](Scene& s) { s.effects.shrinkage->keyframes[1].factor = 0.0; }},
       {"handles[0].where",
        [](Scene& s) {
          s.knit.reset();
@@ -156,6 +192,8 @@ const std::vector<Bad>& bad_scenes() {
       {"handles[0].motion[1].t", [](Scene& s) { s.handles[0].motion[1].t = 0.0; }},
       {"handles[0].motion[0].translation_m[0]", [](Scene& s) { s.handles[0].motion[0].translation_m.x() = kNan; }},
       {"handles[0].motion[1].rotation_rad[2]", [](Scene& s) { s.handles[0].motion[1].rotation_rad.z() = kInf; }},
+      {"handles[0].velocity_m_per_s", [](Scene& s) { s.handles[0].velocity_m_per_s = Vec3(1.0, 0.0, 0.0); }},
+      {"handles[1].velocity_m_per_s[1]", [](Scene& s) { s.handles[1].velocity_m_per_s = Vec3(0.0, kNan, 0.0); }},
       {"loads[0].where.stitches.last_course",
        [](Scene& s) {
          s.loads[0].where = StitchRange{1, 4, 1, 4};

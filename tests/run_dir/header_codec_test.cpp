@@ -47,6 +47,9 @@ TEST(HeaderCodec, KeepsEveryField) {
   EXPECT_EQ(decoded->yarn.bending_nm2, 5e-8);
   EXPECT_EQ(decoded->frames_per_s, 30.0);
   EXPECT_EQ(decoded->num_frames, 61);
+  ASSERT_EQ(decoded->shrinkage.size(), 1u);
+  EXPECT_EQ(decoded->shrinkage[0].t, 0.5);
+  EXPECT_EQ(decoded->shrinkage[0].factor, 0.9);
 }
 
 TEST(HeaderCodec, RefusesEveryTruncationAndASurplus) {
@@ -87,6 +90,8 @@ TEST(HeaderCodec, RefusesWhatCannotBeTrusted) {
       {"stitch kind", [](FrameHeader& h) { h.topology.stitches[0].kind = static_cast<StitchKind>(2); }},
       {"stitch node", [](FrameHeader& h) { h.topology.stitches[0].node[7] = 5; }},
       {"stitch contact", [](FrameHeader& h) { h.topology.stitches[0].head_left = 1; }},
+      {"shrinkage", [](FrameHeader& h) { h.shrinkage[0].factor = 0.0; }},
+      {"shrinkage time", [](FrameHeader& h) { h.shrinkage[0].t = std::numeric_limits<double>::infinity(); }},
       {"radius", [](FrameHeader& h) { h.yarn.radius_m = std::numeric_limits<double>::infinity(); }},
   };
   for (const auto& [what, change] : changes) {

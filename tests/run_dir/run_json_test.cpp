@@ -18,6 +18,7 @@ RunSummary full_summary() {
   summary.nodes = 2;
   summary.dofs = 3;
   summary.effects = {"stretch", "bending"};
+  summary.effect_cost = {{"stretch", {10, 20, 30, 40}}};
   summary.sim_time_s = 0.1;
   summary.wall_s = 1.0 / 3.0;
   summary.frames = 4;
@@ -39,6 +40,7 @@ RunSummary full_summary() {
   summary.faded_wrap_share = 0.1;
   summary.faded_wrap_share_interior = 0.0;
   summary.wrap_ridge_entries = 0;
+  summary.handles = {{Vec3(1.0, -2.0, 0.25), 3.0, 0.5}, {}};
   summary.peak_memory_bytes = 123;
   summary.state_hash = "ab";
   summary.linear_solver = "cholmod";
@@ -80,7 +82,7 @@ TEST(RunJson, SummaryHasThePromisedKeys) {
   for (const std::string& key : promised) EXPECT_TRUE(keys.contains(key)) << key;
   const std::set<std::string> extra{"message",           "frames",      "convex_hessians", "residual_unit",
                                     "max_slid_m",        "mean_slid_m", "faded_wrap_share", "faded_wrap_share_interior",
-                                    "wrap_ridge_entries"};
+                                    "wrap_ridge_entries", "handles", "effect_cost"};
   EXPECT_EQ(keys.size(), promised.size() + extra.size());
   for (const std::string& key : extra) EXPECT_TRUE(keys.contains(key)) << key;
 }
@@ -93,6 +95,10 @@ TEST(RunJson, SummaryNamesItsMembersInTheStruct) {
   EXPECT_EQ(json["energy_j"]["kinetic"], 1e-9);
   EXPECT_EQ(json["effects"][1], "bending");
   EXPECT_EQ(json["threads"], 2);
+  EXPECT_EQ(json["effect_cost"].dump(), R"({"stretch":{"stencils":10,"bytes":20,"nonzeros":30,"evaluations":40}})");
+  EXPECT_EQ(json["handles"][0].dump(), R"({"reaction_n":[1.0,-2.0,0.25],"max_reaction_n":3.0,"max_reaction_t_s":0.5})");
+  EXPECT_EQ(json["handles"][1].dump(),
+            R"({"reaction_n":[null,null,null],"max_reaction_n":null,"max_reaction_t_s":null})");
 }
 
 TEST(RunJson, NotMeasuredIsNullAndZeroIsZero) {
@@ -133,6 +139,12 @@ TEST(RunJson, BrokenTextIsRefusedWithTheKey) {
   json = to_json(full_summary());
   json.erase("energy_j");
   EXPECT_NE(summary_from_json(json.dump()).error.find("energy_j"), std::string::npos);
+  json = to_json(full_summary());
+  json["effect_cost"]["stretch"]["bytes"] = "many";
+  EXPECT_NE(summary_from_json(json.dump()).error.find("effect_cost"), std::string::npos);
+  json = to_json(full_summary());
+  json["handles"][0]["reaction_n"] = {1.0, 2.0};
+  EXPECT_NE(summary_from_json(json.dump()).error.find("handles"), std::string::npos);
   json = to_json(full_summary());
   json["status"] = "SUCCEEDED";
   EXPECT_FALSE(summary_from_json(json.dump()));

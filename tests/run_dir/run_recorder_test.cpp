@@ -31,6 +31,33 @@ RunSummary succeeded() {
   return summary;
 }
 
+TEST(RunRecorder, WritesTheForcesOfHandlesAsAnArtefact) {
+  const TemporaryFolder folder;
+  const RunDir dir = make_run(folder);
+  RunRecorder recorder(dir);
+  const RunHooks hooks = recorder.hooks();
+  EXPECT_TRUE(list_artefacts(dir).empty());  // nothing for a scene without handles
+  hooks.on_reactions(0.25, {Vec3(1.0, -2.0, 0.125), Vec3::Zero()});
+  hooks.on_reactions(0.5, {Vec3(1.0 / 3.0, 0.0, 1e-20), Vec3::Zero()});
+  EXPECT_EQ(list_artefacts(dir), std::vector<std::string>{"reactions.csv"});
+  EXPECT_EQ(read_bytes(dir.report() / "reactions.csv"),
+            "t_s,handle,fx_n,fy_n,fz_n\n0.25,0,1,-2,0.125\n0.25,1,0,0,0\n0.5,0,0.333333333,0,1e-20\n0.5,1,0,0,0\n");
+}
+
+TEST(RunRecorder, StopsTheRunWhereTheArtefactCannotBeWritten) {
+  const TemporaryFolder folder;
+  const RunDir dir = make_run(folder);
+  std::filesystem::remove(dir.report());
+  RunRecorder recorder(dir);
+  const RunHooks hooks = recorder.hooks();
+  hooks.on_reactions(0.25, {Vec3::Zero()});
+  EXPECT_TRUE(hooks.should_stop());
+  const Result<RunSummary> written = recorder.finish(succeeded());
+  ASSERT_TRUE(written) << written.error;
+  EXPECT_EQ(written->status, RunStatus::failed);
+  EXPECT_NE(written->message.find("reactions.csv"), std::string::npos) << written->message;
+}
+
 TEST(RunRecorder, WritesAWholeRun) {
   const TemporaryFolder folder;
   const RunDir dir = make_run(folder);

@@ -143,9 +143,22 @@ TEST(Convert, AnEmptyMessageHasTheDefaultsOfTheCore) {
   for (int i = 0; i < v1::Effects::descriptor()->field_count(); ++i) {
     effects.GetReflection()->MutableMessage(&effects, v1::Effects::descriptor()->field(i));
   }
-  expected.effects = {InertiaEffect{},        GravityEffect{},         StretchEffect{},       BendingEffect{},
-                      BendingJammingEffect{}, WrappingEffect{},        ContactLengthEffect{}, ParallelContactEffect{},
-                      SlidingEffect{},        SlidingFrictionEffect{}, DampingEffect{}};
+  Effects& on = expected.effects;
+  on.inertia.emplace();
+  on.gravity.emplace();
+  on.stretch.emplace();
+  on.bending.emplace();
+  on.bending_jamming.emplace();
+  on.wrapping.emplace();
+  on.contact_length.emplace();
+  on.parallel_contact.emplace();
+  on.sliding.emplace();
+  on.sliding_friction.emplace();
+  on.damping.emplace();
+  on.air_drag.emplace();
+  on.wind.emplace();
+  on.shrinkage.emplace();
+  on.plasticity.emplace();
   EXPECT_EQ(difference(there_and_back(all_on), message_from_scene(expected)), "");
 }
 

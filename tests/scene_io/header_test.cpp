@@ -29,6 +29,7 @@ FrameHeader full_header() {
   header.yarn = {0.1, 0.2, 0.3, 0.4};
   header.frames_per_s = 24.0;
   header.num_frames = 61;
+  header.shrinkage = {{0.5, 0.9}, {2.0, 0.8}};
   return header;
 }
 
@@ -52,6 +53,9 @@ TEST(Header, SurvivesTheMessage) {
   EXPECT_EQ(back->yarn.bending_nm2, 0.4);
   EXPECT_EQ(back->frames_per_s, 24.0);
   EXPECT_EQ(back->num_frames, 61);
+  ASSERT_EQ(back->shrinkage.size(), 2U);
+  EXPECT_EQ(back->shrinkage[1].t, 2.0);
+  EXPECT_EQ(back->shrinkage[1].factor, 0.8);
 }
 
 TEST(Header, ContactsAndStitchesSurviveTheMessage) {

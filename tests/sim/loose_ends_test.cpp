@@ -19,7 +19,7 @@ struct Hanging {
   YarnForces forces = make_forces(model);
   DofMap map = make_dof_map(model);
   LooseEnds ends{model.topology, forces, map};
-  State start{0.0, model.start_q, model.start_v, VecX::Zero(model.start_q.size()), model.start_q.tail(5)};
+  State start{0.0, model.start_q, model.start_v, VecX::Zero(model.start_q.size()), model.start_q.tail(5), VecX()};
 
   Hanging() {
     std::apply([&](auto&... term) { (term.begin_step(StepContext{1e-2, start}), ...); }, forces);
@@ -43,7 +43,7 @@ TEST(LooseEnds, SettleWhereNothingPullsThemAndLeaveTheRest) {
   EXPECT_EQ(q.head(12), before.head(12));
   EXPECT_LT(hanging.energy(q), hanging.energy(before));
   VecX gradient = VecX::Zero(q.size());
-  std::apply([&](const auto&... term) { (add_full_gradient(term, q, gradient), ...); }, hanging.forces);
+  std::apply([&](const auto&... term) { (add_full_gradient(term, q, {}, gradient), ...); }, hanging.forces);
   EXPECT_LT(gradient.segment(12, 3).norm(), 1e-9 * gradient.norm() + 1e-12);
 }
 

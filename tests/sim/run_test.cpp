@@ -143,14 +143,7 @@ TEST(Run, PlansTheFramesThatFitIntoTheDuration) {
 }
 
 Scene twisted_swatch() {
-  Scene scene;
-  scene.knit.emplace();
-  Issues issues;
-  scene.knit->pattern = pattern_from_preset(PresetSpec{"stockinette", 8, 6}, false, "pattern", issues);
-  scene.knit->gauge = {2.9e-3, 2.03e-3, {}};
-  scene.effects = {InertiaEffect{},        {},                      StretchEffect{},       BendingEffect{},
-                   BendingJammingEffect{}, WrappingEffect{},        ContactLengthEffect{}, ParallelContactEffect{},
-                   SlidingEffect{},        SlidingFrictionEffect{}, DampingEffect{}};
+  Scene scene = test::knit_scene("stockinette", 8, 6);
   const Keyframe turned{0.3, Vec3::Zero(), Vec3(0.0, 6.28, 0.0)};
   scene.handles = {{Edge::bottom, {}, false}, {Edge::top, {Keyframe{}, turned}, false}};
   scene.duration_s = 1.0 / 60.0;

@@ -42,6 +42,17 @@ TEST(Script, LeavesAPinWhereItStarted) {
   EXPECT_EQ(second, Vec3(0.05, 0.0, 0.0));
 }
 
+TEST(Script, AVelocityIsAMotionWithoutEnd) {
+  Scene scene = hanging_yarn();
+  scene.handles[0].velocity_m_per_s = Vec3(0.5, -1.0, 0.25);
+  const Model model = compile(scene, nullptr);
+  for (const double t : {0.0, 0.5, 40.0}) {
+    VecX q = model.start_q;
+    apply_scripts(model, t, q);
+    EXPECT_EQ(Vec3(q.head<3>()), Vec3(t * Vec3(0.5, -1.0, 0.25)));
+  }
+}
+
 TEST(Script, IsFollowedByTheSimulation) {
   Scene scene = hanging_yarn();
   scene.handles[0].motion = {{1.0, {0.0, 0.1, 0.0}, Vec3::Zero()}};

@@ -34,6 +34,7 @@ inline FrameHeader sample_header() {
   header.yarn = {0.6e-3, 0.08e-3, 70.0, 5e-8};
   header.frames_per_s = 30.0;
   header.num_frames = 61;
+  header.shrinkage = {{0.5, 0.9}};
   return header;
 }
 

@@ -2,6 +2,7 @@
 #include "cli/screen/summary_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -112,6 +113,30 @@ std::string yarn_line(const Json& json) {
   return joined(parts);
 }
 
+std::string handle_line(const Json& handle) {
+  const auto largest = number(handle, "max_reaction_n"), when = number(handle, "max_reaction_t_s");
+  const auto found = handle.find("reaction_n");
+  if (!largest || !when || found == handle.end() || !found->is_array()) return {};
+  double squares = 0.0;
+  for (const Json& component : *found) squares += component.is_number() ? std::pow(component.get<double>(), 2) : 0.0;
+  return short_number(std::sqrt(squares)) + " N at the end, " + short_number(*largest) + " N at most (at " +
+         short_number(*when) + " s)";
+}
+
+// Four lines at most.
+void add_handles(const Json& json, Rows& rows) {
+  constexpr std::size_t kLines = 4;
+  const auto found = json.find("handles");
+  if (found == json.end() || !found->is_array()) return;
+  const std::size_t shown = found->size() <= kLines ? found->size() : kLines - 1;
+  for (std::size_t i = 0; i < shown; ++i) {
+    std::string line = (*found)[i].is_object() ? handle_line((*found)[i]) : std::string();
+    if (!line.empty()) rows.emplace_back("handle " + std::to_string(i), std::move(line));
+  }
+  const auto hidden = static_cast<long>(found->size() - shown);
+  if (hidden > 0) rows.emplace_back("", count_of(hidden, "more handle", "more handles") + " in the JSON summary");
+}
+
 std::string wall_line(const Json& json) {
   const auto wall = number(json, "wall_s");
   if (!wall) return {};
@@ -151,6 +176,7 @@ std::string summary_text(const Json& json, const Rows& more) {
   add("sliding", sliding_line(json));
   add("wraps", wraps_line(json));
   add("yarn", yarn_line(json));
+  add_handles(json, rows);
   add("wall time", wall_line(json));
   add("machine", machine_line(json));
   rows.insert(rows.end(), more.begin(), more.end());
