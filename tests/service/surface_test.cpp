@@ -66,15 +66,20 @@ TEST(ServerCommandLine, KnowsWhatItCannotDo) {
   const Finished help = run_program({kServer, "--help"});
   EXPECT_EQ(help.code, 0);
   EXPECT_EQ(help.out.find("--http"), std::string::npos);
-  for (const char* flag :
-       {"--grpc", "--data-dir", "--slots", "--queue", "--max-scene-mib", "--worker", "--stop-jobs"}) {
+  for (const char* flag : {"--grpc", "--data-dir", "--slots", "--queue", "--max-scene-mib", "--stall-timeout",
+                           "--stop-grace", "--worker", "--stop-jobs"}) {
     EXPECT_NE(help.out.find(flag), std::string::npos) << flag;
   }
 }
 
 TEST(ServerCommandLine, RefusesNonsense) {
-  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-           {"--slots", "0"}, {"--queue", "-1"}, {"--max-scene-mib", "x"}, {"--grpc", "nowhere"}, {"--nonsense"}}) {
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{"--slots", "0"},
+                                                                                         {"--queue", "-1"},
+                                                                                         {"--max-scene-mib", "x"},
+                                                                                         {"--grpc", "nowhere"},
+                                                                                         {"--stall-timeout", "nan"},
+                                                                                         {"--stop-grace", "-1"},
+                                                                                         {"--nonsense"}}) {
     std::vector<std::string> all{kServer};
     all.insert(all.end(), arguments.begin(), arguments.end());
     const Finished finished = run_program(all);
