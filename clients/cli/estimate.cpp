@@ -14,8 +14,7 @@ namespace {
 long least_steps(const Scene& scene, int frames) {
   const auto* numerics = std::get_if<FixedNumerics>(&scene.numerics);
   if (numerics == nullptr) return 0;
-  const double a_frame = std::ceil(1.0 / (scene.frames_per_s * numerics->time_step_s) - 1e-9);
-  return static_cast<long>(a_frame) * (frames - 1);
+  return static_cast<long>(least_steps_per_frame(scene.frames_per_s, numerics->time_step_s)) * (frames - 1);
 }
 
 // A fabric's nested-dissection factor grows like n log n; the constant comes from two scenes, of 36 and 1,600 loops.

@@ -160,6 +160,16 @@ TEST_F(Simulate, ValidateCountsWithoutRunning) {
   EXPECT_NE(slipstitch({"validate", scene()}).out.find("roughly estimated"), std::string::npos);
 }
 
+// The demo gives its step, 1/120 s, in decimals that are a little too short: still four a frame.
+TEST_F(Simulate, ValidateRoundsStepsAsTheRunDoes) {
+  const std::vector<std::string> decimals{"--set", "fixed.time_step_s=0.00833333", "--json"};
+  std::vector<std::string> validate{"validate", scene()};
+  validate.insert(validate.end(), decimals.begin(), decimals.end());
+  const json found = json::parse(slipstitch(validate).out), ran = json::parse(run(decimals).out);
+  EXPECT_EQ(found["least_steps"], 24);
+  EXPECT_EQ(ran["steps"], 24);
+}
+
 TEST_F(Simulate, ValidateGivesNoTimeForStaticScenes) {
   const ProgramEnd end = slipstitch({"validate", SLIPSTITCH_SOURCE_DIR "/scenes/catenary.json", "--json"});
   EXPECT_TRUE(json::parse(end.out).at("estimated_wall_s").is_null()) << end.out;
