@@ -106,7 +106,7 @@ TEST_F(FailuresTest, ACancelThatCannotBeWrittenIsNotPromised) {
   wait_for_frames(name, 1);
   std::filesystem::create_directory(folder_of(name).control());
   expect_error(cancel(name), grpc::StatusCode::INTERNAL, "STORAGE_FAILED");
-  EXPECT_FALSE(get(name).cancel_requested());
+  ASSERT_FALSE(get(name).cancel_requested());
   std::filesystem::remove(folder_of(name).control());
   ASSERT_TRUE(cancel(name).ok());
   EXPECT_EQ(wait_for_end(name).state(), v1::SimJob::CANCELLED);
