@@ -193,7 +193,7 @@ void expect_violations(const grpc::Status& status, const std::vector<Fault>& fau
   }
 }
 
-// One server for all rows: none of them may change anything.
+// No row may change anything on disk, beside the scene file or in the server's data directory.
 class BadInputTest : public ServiceTest, public testing::WithParamInterface<BadInput> {
  protected:
   void SetUp() override { start_server(); }
