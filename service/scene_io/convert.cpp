@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "model/check_values.h"
 #include "scene_io/convert_parts.h"
 
 namespace slipstitch {
@@ -49,8 +50,7 @@ std::vector<std::string> strings_from(const google::protobuf::RepeatedPtrField<s
 bool preset_fits(const v1::Preset& preset, const SceneLimits& limits, Issues& issues) {
   const std::int64_t stitches = std::int64_t{preset.courses()} * preset.wales();
   if (preset.courses() <= 0 || preset.wales() <= 0 || stitches <= limits.max_stitches) return true;
-  issues.push_back({"knit.preset", std::to_string(stitches) + " stitches",
-                    "at most " + std::to_string(limits.max_stitches) + " stitches", true});
+  issues.push_back(too_many("knit.preset", std::to_string(stitches), limits.max_stitches, "stitches"));
   return false;
 }
 
