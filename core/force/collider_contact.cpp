@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace slipstitch {
 namespace {
@@ -25,14 +26,6 @@ void spread(double share, const Mat3& block, Mat<6>& hess) {
 }
 
 }  // namespace
-
-GapEnergy gap_energy(double k, double w, double gap) {
-  if (gap >= 0.0) return {};
-  const double r = 1.0 + gap / w;
-  if (!(r > 0.0)) return {std::numeric_limits<double>::infinity(), 0.0, 0.0};
-  const double ln = std::log(r), m = r - 1.0;
-  return {-k * w * m * m * ln, -k * (2.0 * m * ln + m * m / r), -k / w * (2.0 * ln + 4.0 * m / r - m * m / (r * r))};
-}
 
 ColliderContact::ColliderContact(const Model& model) {
   const auto& effect = model.effects.colliders;

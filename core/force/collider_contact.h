@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "collide/rigid_body.h"
+#include "force/gap_energy.h"
 #include "force/term.h"
 #include "force/touch_samples.h"
 
 namespace slipstitch {
-
-/// Contact of hard yarn: V = -k w (r - 1)^2 ln r with r = 1 + gap/w, for -w < gap < 0; else 0; infinite at gap <= -w.
-/// C2. k [N], w > 0 the deepest overlap [m]; returns V, dV/dgap and d2V/dgap2.
-struct GapEnergy {
-  double value = 0.0, slope = 0.0, curvature = 0.0;
-};
-GapEnergy gap_energy(double k, double w, double gap);
 
 /// Yarn against rigid bodies, at points along it: gap = distance of the centreline to the surface, less the radius.
 /// No accepted step leaves a point deeper than a tenth of the radius. Between the points a sharp edge can reach deeper.

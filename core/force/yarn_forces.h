@@ -15,6 +15,7 @@
 #include "force/gravity.h"
 #include "force/inertia.h"
 #include "force/parallel_contact.h"
+#include "force/self_collision.h"
 #include "force/sliding_friction.h"
 #include "force/stretch.h"
 #include "force/wrapping.h"
@@ -24,7 +25,8 @@ namespace slipstitch {
 /// The one list of force terms. Whatever stands here is assembled, tested and reported.
 using YarnForces = std::tuple<Inertia, Gravity, Stretch, Bending, BendingJamming, Wrapping, ContactLength,
                               ParallelContact, SlidingFriction, DampingStretch, DampingBending, DampingWrapping,
-                              DampingSliding, AirDrag, DeadLoad, ColliderContact, ColliderFriction>;
+                              DampingSliding, AirDrag, DeadLoad, ColliderContact, ColliderFriction,
+                              SelfCollision>;
 
 inline constexpr std::size_t kNumTerms = std::tuple_size_v<YarnForces>;
 

@@ -109,6 +109,11 @@ struct PlasticityEffect {
   double relaxation_time_s = 1.0;  // of what is beyond, > 0
 };
 
+/// Yarn that touches other parts of the fabric but does not pass through them.
+struct SelfCollisionEffect {
+  std::optional<double> stiffness_n;  // k of gap_energy() of two points > 0; default EA / 1000
+};
+
 struct Effects {
   std::optional<InertiaEffect> inertia;
   std::optional<GravityEffect> gravity;
@@ -122,6 +127,7 @@ struct Effects {
   std::optional<SlidingFrictionEffect> sliding_friction;
   std::optional<DampingEffect> damping;
   std::optional<CollidersEffect> colliders;
+  std::optional<SelfCollisionEffect> self_collision;
   std::optional<AirDragEffect> air_drag;
   std::optional<WindEffect> wind;
   std::optional<ShrinkageEffect> shrinkage;

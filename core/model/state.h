@@ -7,7 +7,6 @@
 
 namespace slipstitch {
 
-/// Everything that changes in time; a copy is a snapshot. Sizes in full coordinates (topology.h).
 /// A point of yarn that lies on a collider.
 struct Touch {
   int sample = 0, body = 0;      // of touch_samples(), of the scene's colliders
@@ -15,14 +14,15 @@ struct Touch {
   double normal_force = 0.0;     // > 0 [N]
 };
 
+/// Everything that changes in time; a copy is a snapshot. Sizes in full coordinates (topology.h).
 struct State {
   double t = 0.0;  // [s]
   VecX q;          // positions and arc lengths [m] (num_coords)
   VecX v;          // dq/dt of the last step [m/s] (num_coords)
   VecX p;          // generalised momentum M v [kg m/s] (num_coords)
   VecX anchor;     // friction anchors, arc length [m] (num_visits); follows q where friction is off
-  std::vector<Touch> touches;  // ascending in sample, then body
   VecX set_angle;  // rest angle of the bend at every visit [rad] (num_visits); empty without plasticity
+  std::vector<Touch> touches;  // on colliders, ascending in sample, then body
 };
 
 }  // namespace slipstitch

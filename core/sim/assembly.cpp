@@ -170,6 +170,7 @@ void Assembly::add(const Term& term, Pool& pool, const VecX& q, HessianMode mode
 }
 
 void Assembly::predict(const YarnForces& forces, const VecX& q, const VecX& dq) {
+  refresh(forces);
   for_each_term(forces, [&](const auto& term, int i) {
     if constexpr (HasStress<std::decay_t<decltype(term)>>) {
       Pool& pool = pools_[static_cast<std::size_t>(i)];
@@ -182,6 +183,7 @@ void Assembly::predict(const YarnForces& forces, const VecX& q, const VecX& dq) 
 }
 
 double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h) {
+  refresh(forces);
   g.setZero(map_.num_dofs);
   h.pattern = pattern_;
   h.values.assign(pattern_->row.size(), 0.0);
@@ -197,6 +199,7 @@ double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMod
 }
 
 double Assembly::value(const YarnForces& forces, const VecX& q) {
+  refresh(forces);
   scale_ = 0.0;
   energies_.fill(0.0);
   for_each_term(forces, [&](const auto& term, int i) {

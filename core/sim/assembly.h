@@ -16,13 +16,11 @@ namespace slipstitch {
 enum class Stencils { all, touching };  // touching: only those that an unknown of the map enters
 
 /// Sums the energies of all force terms, their gradients and Hessians, in the unknowns of a DofMap.
-/// The sparsity pattern and each stencil's places in it are kept from step to step.
+/// The sparsity pattern and each stencil's places in it are kept; stencils that terms add or drop are taken in at the next
+/// evaluation, and the pattern changes only where one does not fit into it.
 class Assembly {
  public:
   Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils = Stencils::all);
-
-  /// Takes in the stencils that begin_step changed. The pattern changes only where one does not fit into it.
-  void refresh(const YarnForces& forces);
 
   double value(const YarnForces& forces, const VecX& q);
   /// g (num_dofs) and h in the unknowns; returns the value.
@@ -49,6 +47,7 @@ class Assembly {
   };
   template <class Term>
   void select(const Term& term, Pool& pool) const;
+  void refresh(const YarnForces& forces);
   void make_whole_pattern(const YarnForces& forces);
   template <class Term>
   void place(const Term& term, Pool& pool) const;

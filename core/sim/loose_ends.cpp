@@ -15,7 +15,7 @@ constexpr double kLongestMove = 5e-3;  // of an end in one Newton step [m]
 /// The energy over the ends, in place in the full coordinates.
 class EndsObjective final : public Objective {
  public:
-  EndsObjective(const YarnForces& forces, Assembly& assembly, const std::vector<int>& coords, VecX& q)
+  EndsObjective(YarnForces& forces, Assembly& assembly, const std::vector<int>& coords, VecX& q)
       : forces_(forces), assembly_(assembly), coords_(coords), q_(q) {}
 
   double value(const VecX& z) override {
@@ -48,7 +48,7 @@ class EndsObjective final : public Objective {
     return dq;
   }
 
-  const YarnForces& forces_;
+  YarnForces& forces_;
   Assembly& assembly_;
   const std::vector<int>& coords_;
   VecX& q_;
@@ -92,7 +92,7 @@ LooseEnds::LooseEnds(const Topology& topology, const YarnForces& forces, const D
   assembly_ = std::make_unique<Assembly>(forces, map_, Stencils::touching);
 }
 
-double LooseEnds::settle(const YarnForces& forces, VecX& q, const VecX& before, double step_tolerance) {
+double LooseEnds::settle(YarnForces& forces, VecX& q, const VecX& before, double step_tolerance) {
   if (coords_.empty()) return 0.0;
   EndsObjective objective(forces, *assembly_, coords_, q);
   VecX z = pick(coords_, q);

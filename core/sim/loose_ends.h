@@ -16,15 +16,12 @@ class LooseEnds {
  public:
   LooseEnds(const Topology& topology, const YarnForces& forces, const DofMap& map);
 
-  /// Takes in the stencils that begin_step changed.
-  void refresh(const YarnForces& forces) { assembly_->refresh(forces); }
-
   bool contains_node(int node) const { return is_end_[static_cast<std::size_t>(node)] != 0; }
   const std::vector<int>& coords() const { return coords_; }  // full coordinates of the ends
 
   /// Minimises over the ends in q (full coordinates), from where they are in q or in `before`, whichever is lower, until
   /// a Newton step is <= step_tolerance [m]. Never raises the energy. Returns the size of the last step, infinity if there was none.
-  double settle(const YarnForces& forces, VecX& q, const VecX& before, double step_tolerance);
+  double settle(YarnForces& forces, VecX& q, const VecX& before, double step_tolerance);
 
   /// What the terms took here, beside what they took in the whole.
   EffectCosts costs(const YarnForces& forces) const { return assembly_->costs(forces); }

@@ -183,6 +183,7 @@ std::vector<std::string> effect_names(const Effects& effects) {
   add(effects.sliding_friction, "sliding_friction");
   add(effects.damping, "damping");
   add(effects.colliders, "colliders");
+  add(effects.self_collision, "self_collision");
   add(effects.air_drag, "air_drag");
   add(effects.wind, "wind");
   add(effects.shrinkage, "shrinkage");

@@ -60,8 +60,6 @@ Simulation::Simulation(Model model)
 void Simulation::begin_step(const StepContext& step) {
   const Stopwatch watch(wall_["begin_step"]);
   std::apply([&](auto&... term) { (term.begin_step(step), ...); }, forces_);
-  assembly_.refresh(forces_);
-  ends_.refresh(forces_);
 }
 
 StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop) {
