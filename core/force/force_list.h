@@ -10,9 +10,8 @@ namespace slipstitch {
 
 template <class List>
 List make_list(const Model& model) {
-  return [&]<class... T>(std::type_identity<std::tuple<T...>>) {
-    return List{T(model)...};
-  }(std::type_identity<List>{});
+  return
+      [&]<class... T>(std::type_identity<std::tuple<T...>>) { return List{T(model)...}; }(std::type_identity<List>{});
 }
 
 template <class Term, class List>
