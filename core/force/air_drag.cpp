@@ -7,7 +7,7 @@
 namespace slipstitch {
 namespace {
 
-constexpr double kAirDensity = 1.2;        // [kg/m^3], at 20 C
+constexpr double kAirDensity = 1.2;          // [kg/m^3], at 20 C
 constexpr double kCylinderDragFactor = 1.2;  // C_d of a cylinder across the flow, Reynolds numbers 10^2 to 10^5
 
 }  // namespace

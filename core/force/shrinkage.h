@@ -7,9 +7,9 @@
 
 namespace slipstitch {
 
-/// Rest length of all yarn at time t over its arc length: 1 at t = 0 unless a keyframe says otherwise, linear in between,
-/// held after the last. An arc length D stands for factor D of yarn wherever stretch is measured; mass, bending,
-/// wrapping, damping and the distances kept along the yarn go on counting D.
+/// Rest length of all yarn at time t over its arc length: 1 at t = 0 unless a keyframe says otherwise, linear in
+/// between, held after the last. An arc length D stands for factor D of yarn wherever stretch is measured; mass,
+/// bending, wrapping, damping and the distances kept along the yarn go on counting D.
 double length_factor(const std::vector<LengthKeyframe>& keyframes, double t);
 inline double length_factor(const Effects& effects, double t) {
   return effects.shrinkage ? length_factor(effects.shrinkage->keyframes, t) : 1.0;

@@ -82,7 +82,8 @@ void Stretch::convex_hessian(int, const Vec<8>& q, Mat<8>& hess) const {
   if (factor_ != 1.0) scale_arc_rows(factor_, hess);
 }
 
-Stretch::Stretch(const Model& model) : model_(&model), factor_(slipstitch::length_factor(model.effects, 0.0)), k_s_(model.yarn.stretch_n) {
+Stretch::Stretch(const Model& model)
+    : model_(&model), factor_(slipstitch::length_factor(model.effects, 0.0)), k_s_(model.yarn.stretch_n) {
   if (!model.effects.stretch) return;
   for_each_owned_segment(model.topology, [&](int, int i) { coords_.push_back(segment_coords(model.topology, i)); });
 }

@@ -12,6 +12,7 @@
 #include "force/contact_length.h"
 #include "force/damping.h"
 #include "force/dead_load.h"
+#include "force/force_list.h"
 #include "force/gravity.h"
 #include "force/inertia.h"
 #include "force/parallel_contact.h"
@@ -30,11 +31,7 @@ using YarnForces = std::tuple<Inertia, Gravity, Stretch, Bending, BendingJamming
 
 inline constexpr std::size_t kNumTerms = std::tuple_size_v<YarnForces>;
 
-inline YarnForces make_forces(const Model& model) {
-  return [&]<class... T>(std::type_identity<std::tuple<T...>>) {
-    return YarnForces{T(model)...};
-  }(std::type_identity<YarnForces>{});
-}
+inline YarnForces make_forces(const Model& model) { return make_list<YarnForces>(model); }
 
 /// Terms whose energy is stored and can be given back or dissipated no further: the potential energy of the yarn.
 template <class Term>

@@ -77,7 +77,7 @@ struct CollidersEffect {
   double stick_stiffness_n_per_m = 100;   // k_t of each touching point > 0
 };
 
-/// Drag of the air on every segment, (c1 + c2 |w|) w per metre against its velocity w relative to the air. Needs inertia.
+/// Drag of the air on every segment, (c1 + c2 |w|) w per metre against its velocity w through the air. Needs inertia.
 struct AirDragEffect {
   double linear_ns_per_m2 = 0.0;               // c1 >= 0
   std::optional<double> quadratic_ns2_per_m3;  // c2 >= 0; default 1/2 rho C_d 2R, rho = 1.2 kg/m^3, C_d = 1.2

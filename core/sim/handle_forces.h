@@ -30,10 +30,10 @@ class HandleForces {
   const std::vector<HandleForce>& report() const { return report_; }
 
  private:
-  std::vector<char> held_;    // per full coordinate; empty without handles
-  std::vector<int> handle_;   // per node, -1: none (num_nodes)
-  VecX gradient_;             // scratch (num_coords)
-  std::vector<Vec3> total_;   // (num_handles)
+  std::vector<char> held_;   // per full coordinate; empty without handles
+  std::vector<int> handle_;  // per node, -1: none (num_nodes)
+  VecX gradient_;            // scratch (num_coords)
+  std::vector<Vec3> total_;  // (num_handles)
   std::vector<HandleForce> report_;
 };
 

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "force/stretch.h"
+#include "force/wrapping.h"
 #include "model/check_values.h"
 
 namespace slipstitch {
@@ -54,7 +56,7 @@ std::optional<std::string> Monitor::observe(const Simulation& sim, double residu
 void Monitor::observe_segments(const Simulation& sim) {
   const Topology& topo = sim.model().topology;
   const VecX& q = sim.state().q;
-  const double factor = std::get<Stretch>(sim.forces()).length_factor();
+  const double factor = term_of<Stretch>(sim.forces()).length_factor();
   for (int i = 0; i + 1 < topo.num_visits(); ++i) {
     const auto v = static_cast<std::size_t>(i);
     if (topo.segment_kind[v] == SegmentKind::none) continue;
@@ -66,7 +68,7 @@ void Monitor::observe_segments(const Simulation& sim) {
 }
 
 void Monitor::observe_wraps(const Simulation& sim) {
-  const auto& wraps = std::get<Wrapping>(sim.forces());
+  const auto& wraps = term_of<Wrapping>(sim.forces());
   in_cap_.resize(static_cast<std::size_t>(wraps.size()), 0);
   for (int k = 0; k < wraps.size(); ++k) {
     const Vec<12> x = gather(wraps.coords(k), sim.state().q);
@@ -116,7 +118,7 @@ void Monitor::report(const Simulation& sim, RunSummary& summary) const {
     summary.max_slid_m = largest;
     summary.mean_slid_m = count > 0 ? sum / count : 0.0;
   }
-  const auto& wraps = std::get<Wrapping>(sim.forces());
+  const auto& wraps = term_of<Wrapping>(sim.forces());
   if (wraps.size() == 0) return;
   FadeCount all, inner;
   for (int k = 0; k < wraps.size(); ++k) {

@@ -4,6 +4,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "force/bending.h"
+#include "force/collider_contact.h"
+#include "force/collider_friction.h"
+#include "force/inertia.h"
+#include "force/sliding_friction.h"
 #include "sim/moves.h"
 #include "sim/step_objective.h"
 
@@ -39,7 +44,7 @@ State start_state(const Model& model, const YarnForces& forces) {
   State state;
   state.q = model.start_q;
   state.v = model.start_v;
-  state.p = std::get<Inertia>(forces).momentum(state.q, state.v);
+  state.p = term_of<Inertia>(forces).momentum(state.q, state.v);
   state.anchor = state.q.tail(model.topology.num_visits());
   if (model.effects.plasticity) state.set_angle = VecX::Zero(model.topology.num_visits());
   return state;
@@ -104,13 +109,13 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
 
 void Simulation::accept(double h, const VecX& q) {
   const VecX v = (q - state_.q) / h;
-  std::get<Bending>(forces_).creep(h, q, state_.set_angle);
-  const auto& friction = std::get<SlidingFriction>(forces_);
-  state_.p = std::get<Inertia>(forces_).momentum(state_.q, v);
+  term_of<Bending>(forces_).creep(h, q, state_.set_angle);
+  const auto& friction = term_of<SlidingFriction>(forces_);
+  state_.p = term_of<Inertia>(forces_).momentum(state_.q, v);
   state_.v = v;
   state_.q = q;
   state_.t += h;
-  state_.touches = std::get<ColliderFriction>(forces_).touches_at(std::get<ColliderContact>(forces_), q);
+  state_.touches = term_of<ColliderFriction>(forces_).touches_at(term_of<ColliderContact>(forces_), q);
   if (friction.size() > 0) {
     friction.drag_anchors(q, state_.anchor);
   } else {
@@ -129,7 +134,7 @@ std::map<std::string, double> Simulation::energies() {
     };
     (report(term, assembly_.energies()[i++]), ...);
   }, forces_);
-  if (const auto& inertia = std::get<Inertia>(forces_); inertia.size() > 0)
+  if (const auto& inertia = term_of<Inertia>(forces_); inertia.size() > 0)
     result["kinetic"] = inertia.kinetic_energy(state_.q, state_.v);
   return result;
 }

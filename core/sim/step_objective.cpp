@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "force/stretch.h"
+#include "force/wrapping.h"
 #include "sim/moves.h"
 
 namespace slipstitch {
@@ -118,7 +120,7 @@ double StepObjective::keep_segments(const VecX& q, const VecX& dq, double a) con
 }
 
 bool StepObjective::overstretched(const VecX& q) const {
-  const double allowed = (1.0 + kLargestGuessStrain) * std::get<Stretch>(forces_).length_factor();
+  const double allowed = (1.0 + kLargestGuessStrain) * term_of<Stretch>(forces_).length_factor();
   for (int i = 0; i + 1 < topology_.num_visits(); ++i) {
     const auto v = static_cast<std::size_t>(i);
     if (topology_.segment_kind[v] == SegmentKind::none) continue;
@@ -130,7 +132,7 @@ bool StepObjective::overstretched(const VecX& q) const {
 }
 
 bool StepObjective::turns_too_far(const VecX& q, const VecX& dq, double a) const {
-  const auto& wraps = std::get<Wrapping>(forces_);
+  const auto& wraps = term_of<Wrapping>(forces_);
   for (int k = 0; k < wraps.size(); ++k) {
     const auto coords = wraps.coords(k);
     const Vec<12> x = gather(coords, q), moved = x + a * gather(coords, dq);

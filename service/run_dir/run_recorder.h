@@ -16,8 +16,9 @@ struct RecorderOptions {
   std::function<bool()> should_stop;                 // asked besides control.log; may be empty
 };
 
-/// Writes a run into its directory: frames.log, progress.json, report/reactions.csv where there are handles, and with finish() the end, the last progress and
-/// summary.json. When the disk refuses, the run is stopped and its summary says failed with the reason.
+/// Writes a run into its directory: frames.log, progress.json, report/reactions.csv where there are handles, and with
+/// finish() the end, the last progress and summary.json. When the disk refuses, the run is stopped and its summary says
+/// failed with the reason.
 class RunRecorder {
  public:
   RunRecorder(RunDir dir, RecorderOptions options = {});

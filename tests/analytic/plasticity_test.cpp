@@ -72,6 +72,27 @@ TEST(Plasticity, BelowTheYieldAngleNothingRemains) {
   EXPECT_NEAR(elastic_angle(sim, kAngle), kAngle, 1e-9);
 }
 
+// A bend that has set altogether presses on its guide no more.
+TEST(Plasticity, FrictionFeelsTheForceThatIsLeft) {
+  Scene scene;
+  scene.yarns.emplace_back().points = {Vec3(-1.0, 0.0, 0.0), Vec3::Zero(), turned(1.0)};
+  scene.yarn.bending_nm2 = kStiffness;
+  scene.effects.stretch.emplace();
+  scene.effects.bending.emplace();
+  scene.effects.plasticity = PlasticityEffect{0.0, kRelaxation};
+  scene.effects.sliding.emplace();
+  scene.effects.sliding_friction.emplace();
+  scene.guides = {{0, 1}};
+  scene.handles = {pin(0, 0), pin(0, -1)};
+  Simulation sim(checked_model(scene));
+  const auto limit = [&] { return std::get<SlidingFriction>(sim.forces()).limits().at(0); };
+  advance(sim, 1e-6 * kRelaxation, tight(1e-9, 1e-9));
+  const double at_first = limit();
+  EXPECT_GT(at_first, 1e-4 * kStiffness);
+  advance(sim, 20, kRelaxation, tight(1e-9, 1e-9));
+  EXPECT_LT(limit(), 0.01 * at_first);
+}
+
 TEST(Plasticity, HasTheBendingEnergyWithoutASet) {
   Simulation sim = turned_yarn({{0.0, 0.0}, {kInstant, 0.2}});
   advance_to(sim, kInstant, 1);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "force/shrinkage.h"
+
 #include <array>
 
 #include "analytic_helpers.h"
-#include "force/shrinkage.h"
 #include "model/select.h"
 #include "sim/frame.h"
 #include "sim/prepare.h"
+#include "sim/run.h"
 #include "support/knit_scene.h"
 
 namespace slipstitch::testing {
@@ -36,6 +38,34 @@ TEST(Shrinkage, AHeldStraightYarnIsTight) {
   const FrameHeader header{sim.model().topology, scene.yarn, 1.0, 2, scene.effects.shrinkage->keyframes};
   const Frame frame{1, sim.state().t, sim.state().q};
   EXPECT_NEAR(derive(header, frame, frame).tension_n[2], kTension, 1e-9);
+}
+
+TEST(Shrinkage, StretchIsReportedAgainstTheRestLength) {
+  Scene scene;
+  scene.yarns = {straight_yarn(Vec3::Zero(), {0.3, 0.0, 0.0}, 6)};
+  scene.effects.stretch.emplace();
+  scene.effects.shrinkage.emplace().keyframes = {{1.0, 0.98}};
+  scene.handles = {pin(0, 0), pin(0, -1)};
+  scene.numerics = FixedNumerics{.time_step_s = 0.5};
+  scene.frames_per_s = 1.0;
+  EXPECT_NEAR(run(scene, 1, {}).max_stretch.value_or(0.0), 1.0 / 0.98, 1e-9);
+}
+
+// Over a guide that turns it by a right angle: mu |T t1 + T t2| = mu T sqrt(2), T of the start of the step.
+TEST(Shrinkage, FrictionFeelsTheTension) {
+  constexpr double kFactor = 0.97, kMu = 0.3;
+  Scene scene;
+  scene.yarns.emplace_back().points = {Vec3(0.1, 0.0, 0.0), Vec3::Zero(), Vec3(0.0, 0.1, 0.0)};
+  scene.effects.stretch.emplace();
+  scene.effects.sliding.emplace();
+  scene.effects.sliding_friction.emplace().coefficient = kMu;
+  scene.effects.shrinkage.emplace().keyframes = {{1.0, kFactor}};
+  scene.guides = {{0, 1}};
+  scene.handles = {pin(0, 0), pin(0, -1)};
+  Simulation sim(checked_model(scene));
+  advance(sim, 3, 0.5, tight(1e-9, 1e-9));
+  const double tension = scene.yarn.stretch_n * (1.0 / kFactor - 1.0);
+  EXPECT_NEAR(std::get<SlidingFriction>(sim.forces()).limits().at(0) / (kMu * tension * std::sqrt(2.0)), 1.0, 1e-9);
 }
 
 TEST(Shrinkage, AFreeYarnTakesOnItsNewLength) {
