@@ -130,7 +130,7 @@ bool ColliderContact::push_out_once(VecX& q) const {
   return moved;
 }
 
-void ColliderContact::push_out(VecX& q) const {
+void ColliderContact::push_out(const VecX&, VecX& q) const {
   for (int i = 0; i < kMaxPushes; ++i)
     if (!push_out_once(q)) return;
 }

@@ -36,7 +36,7 @@ class ColliderContact {
   /// Largest share <= a of the way from q to q + dq on which nothing passes into a body.
   double max_step(const VecX& q, const VecX& dq, double a) const;
   /// Moves points out of bodies that have moved over them, as far as handles allow.
-  void push_out(VecX& q) const;
+  void push_out(const VecX& q0, VecX& q) const;
 
   const TouchSample& sample(int i) const { return samples_[static_cast<std::size_t>(i)]; }
   const RigidBody& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }

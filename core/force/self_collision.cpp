@@ -15,6 +15,8 @@ namespace {
 constexpr double kStiffness = 1e-3;    // of EA
 constexpr double kDeepest = 0.1;       // overlap, of d and at most of R
 constexpr double kWatched = 0.5;       // radii beyond d from which pairs are stencils
+constexpr int kMaxPushes = 100;
+constexpr std::size_t kFewMoving = 16;  // segments for which no tree is worth building
 constexpr double kKeep = 0.1;          // share of the way to the deepest overlap that one Newton step leaves
 
 Vec3 at(const std::array<int, 6>& coords, double share, const VecX& q) {
@@ -72,7 +74,7 @@ SelfCollision::SelfCollision(const Model& model) {
     const auto v = static_cast<std::size_t>(i);
     const int x0 = position_coord(topology, i), x1 = position_coord(topology, i + 1);
     Segment segment{{x0, x0 + 1, x0 + 2, x1, x1 + 1, x1 + 2}};
-    segment.held = held[static_cast<std::size_t>(topology.visit_node[v])] && held[static_cast<std::size_t>(topology.visit_node[v + 1])];
+    for (std::size_t end : {0, 1}) segment.held[end] = held[static_cast<std::size_t>(topology.visit_node[v + end])] != 0;
     segments_.push_back(segment);
   });
   find_neighbours(topology);
@@ -172,26 +174,43 @@ void SelfCollision::begin_step(const StepContext& step) {
   watch(step.start.q, VecX::Zero(step.start.q.size()));
 }
 
+Eigen::AlignedBox3d SelfCollision::swept_box(const Segment& segment, const VecX& q, const VecX& dq) const {
+  Eigen::AlignedBox3d box;
+  for (int c : {segment.coords[0], segment.coords[3]}) {
+    box.extend(Vec3(q.segment<3>(c)));
+    box.extend(Vec3(q.segment<3>(c) + dq.segment<3>(c)));
+  }
+  const double margin = 0.5 * (2.0 + kWatched) * radius_;
+  box.min().array() -= margin;
+  box.max().array() += margin;
+  return box;
+}
+
 void SelfCollision::watch(const VecX& q, const VecX& dq) {
   if (segments_.empty()) return;
-  std::vector<Eigen::AlignedBox3d> boxes(segments_.size());
-  const double margin = 0.5 * (2.0 + kWatched) * radius_;
-  for (std::size_t i = 0; i < segments_.size(); ++i) {
-    for (int c : {0, 3}) {
-      const int x = segments_[i].coords[static_cast<std::size_t>(c)];
-      boxes[i].extend(Vec3(q.segment<3>(x)));
-      boxes[i].extend(Vec3(q.segment<3>(x) + dq.segment<3>(x)));
-    }
-    boxes[i].min().array() -= margin;
-    boxes[i].max().array() += margin;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  std::vector<int> moving;
+  for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
+    const Segment& segment = segments_[static_cast<std::size_t>(i)];
+    boxes.push_back(swept_box(segment, q, dq));
+    if (!dq.segment<3>(segment.coords[0]).isZero(0.0) || !dq.segment<3>(segment.coords[3]).isZero(0.0)) moving.push_back(i);
   }
   const auto before = pairs_.size();
-  for_each_overlap(boxes, [&](int a, int b) {
+  const auto consider = [&](int a, int b) {
     const Segment &sa = segments_[static_cast<std::size_t>(a)], &sb = segments_[static_cast<std::size_t>(b)];
-    if ((sa.held && sb.held) || neighbours(sa, sb)) return;
+    const bool held = sa.held[0] && sa.held[1] && sb.held[0] && sb.held[1];
+    if (held || neighbours(sa, sb)) return;
     const double reach = contact_distance(sa, sb) + kWatched * radius_ + approach(sa.coords, sb.coords, dq);
     if (distance(sa.coords, sb.coords, q) <= reach) add_pair(a, b, q);
-  });
+  };
+  if (!moving.empty() && moving.size() <= kFewMoving) {
+    for (int a : moving)
+      for (int b = 0; b < static_cast<int>(boxes.size()); ++b)
+        if (a != b && boxes[static_cast<std::size_t>(a)].intersects(boxes[static_cast<std::size_t>(b)]))
+          consider(std::min(a, b), std::max(a, b));
+  } else {
+    for_each_overlap(boxes, consider);
+  }
   if (pairs_.size() != before) ++revision_;
 }
 
@@ -207,6 +226,37 @@ double SelfCollision::max_step(const VecX& q, const VecX& dq, double a) const {
     });
   }
   return a;
+}
+
+bool SelfCollision::push_apart(const Pair& pair, VecX& q) const {
+  const Segment &a = segments_[static_cast<std::size_t>(pair.a)], &b = segments_[static_cast<std::size_t>(pair.b)];
+  const std::array<int, 4> x{a.coords[0], a.coords[3], b.coords[0], b.coords[3]};
+  const std::array<bool, 4> held{a.held[0], a.held[1], b.held[0], b.held[1]};
+  bool moved = false;
+  for_each_point_pair(pair, [&](std::array<double, 4> w) {
+    const Vec3 p = at(a.coords, w[1], q) - at(b.coords, -w[3], q);
+    const double gap = p.norm() - pair.distance;
+    if (gap > -0.5 * depth(pair)) return;
+    double norm = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (held[i]) w[i] = 0.0;
+      norm += w[i] * w[i];
+    }
+    if (!(norm > 0.0)) return;
+    for (std::size_t i = 0; i < 4; ++i) q.segment<3>(x[i]) -= w[i] / norm * gap * p.normalized();
+    moved = true;
+  });
+  return moved;
+}
+
+void SelfCollision::push_out(const VecX& q0, VecX& q) {
+  if (segments_.empty() || q0 == q) return;
+  watch(q0, q - q0);
+  for (int i = 0; i < kMaxPushes; ++i) {
+    bool moved = false;
+    for (const Pair& pair : pairs_) moved = push_apart(pair, q) || moved;
+    if (!moved) return;
+  }
 }
 
 }  // namespace slipstitch

@@ -33,11 +33,13 @@ class SelfCollision {
   void watch(const VecX& q, const VecX& dq);
   /// Largest share <= a of that way on which nothing passes through. Only after `watch` of the same way.
   double max_step(const VecX& q, const VecX& dq, double a) const;
+  /// Moves yarn out of yarn that handles have moved from q0 into it, as far as handles allow.
+  void push_out(const VecX& q0, VecX& q);
 
  private:
   struct Segment {
     std::array<int, 6> coords;  // x0, x1
-    bool held = false;          // by handles, at both ends
+    std::array<bool, 2> held{};  // by handles, at either end
   };
   struct Pair {
     int a = 0, b = 0;  // segments
@@ -48,6 +50,8 @@ class SelfCollision {
   bool neighbours(const Segment& a, const Segment& b) const;
   double contact_distance(const Segment& a, const Segment& b) const;
   int pieces(const Segment& segment, const VecX& q) const;
+  Eigen::AlignedBox3d swept_box(const Segment& segment, const VecX& q, const VecX& dq) const;
+  bool push_apart(const Pair& pair, VecX& q) const;
   bool add_pair(int a, int b, const VecX& q);
   template <class F>
   void for_each_point_pair(const Pair& pair, F&& f) const;

@@ -61,10 +61,10 @@ concept LimitsMoves = requires(const T& cterm, const VecX& q, double a) {
   { cterm.max_step(q, q, a) } -> std::same_as<double>;  // largest share <= a of the way from q by dq
 };
 
-/// A term that can take q out of states that scripted bodies have made forbidden.
+/// A term that can take q out of states that scripts have made forbidden on the way from q0.
 template <class T>
-concept PushesOut = requires(const T& cterm, VecX& q) {
-  { cterm.push_out(q) } -> std::same_as<void>;
+concept PushesOut = requires(T& term, const VecX& q0, VecX& q) {
+  { term.push_out(q0, q) } -> std::same_as<void>;
 };
 
 }  // namespace slipstitch

@@ -16,12 +16,12 @@ inline double allowed_move(YarnForces& forces, const VecX& q, const VecX& dq, do
   return a;
 }
 
-/// Moves q out of what scripted bodies have moved over.
-inline void push_out(const YarnForces& forces, VecX& q) {
-  const auto push = [&](const auto& term) {
-    if constexpr (PushesOut<std::decay_t<decltype(term)>>) term.push_out(q);
+/// Moves q, to which scripts have taken it from q0, out of what they have moved over.
+inline void push_out(YarnForces& forces, const VecX& q0, VecX& q) {
+  const auto push = [&](auto& term) {
+    if constexpr (PushesOut<std::decay_t<decltype(term)>>) term.push_out(q0, q);
   };
-  std::apply([&](const auto&... term) { (push(term), ...); }, forces);
+  std::apply([&](auto&... term) { (push(term), ...); }, forces);
 }
 
 }  // namespace slipstitch

@@ -77,7 +77,7 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   StepObjective objective(forces_, map_, assembly_, model_.topology, wall_);
   TimedSolver solver(*solver_, wall_, linear_solves_);
   VecX y;
-  push_out(forces_, start);
+  push_out(forces_, state_.q, start);
   restrict_to_dofs(map_, start, y);
   objective.keep_arcs(state_.q, quasi_static() ? 0.0 : kKeepArcInAStep);
   objective.predict(y, VecX::Zero(y.size()));

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "collide/closest_point.h"
+#include "force/self_collision.h"
+#include "sim/prepare.h"
+#include "sim/simulation.h"
+#include "support/knit_scene.h"
+
+namespace slipstitch {
+namespace {
+
+/// Least distance, in yarn diameters, of two segments that were more than a diameter apart at the start and are not
+/// joined by a segment. Found on its own, by trying every pair.
+double closest_strangers(const Simulation& sim) {
+  const Topology& topology = sim.model().topology;
+  std::vector<std::array<int, 2>> segments;
+  std::set<std::array<int, 2>> joined;
+  for (int i = 0; i + 1 < topology.num_visits(); ++i) {
+    const auto v = static_cast<std::size_t>(i);
+    if (topology.segment_kind[v] == SegmentKind::none) continue;
+    segments.push_back({topology.visit_node[v], topology.visit_node[v + 1]});
+    joined.insert({topology.visit_node[v], topology.visit_node[v + 1]});
+    joined.insert({topology.visit_node[v + 1], topology.visit_node[v]});
+  }
+  const auto distance = [&](const VecX& q, const std::array<int, 2>& a, const std::array<int, 2>& b) {
+    const Vec3 a0 = q.segment<3>(3 * a[0]), a1 = q.segment<3>(3 * a[1]), b0 = q.segment<3>(3 * b[0]), b1 = q.segment<3>(3 * b[1]);
+    const SegmentPair close = closest_of_segments(a0, a1, b0, b1);
+    return (a0 + close.s * (a1 - a0) - b0 - close.t * (b1 - b0)).norm();
+  };
+  const auto strangers = [&](const std::array<int, 2>& a, const std::array<int, 2>& b) {
+    for (int i : a)
+      for (int j : b)
+        if (i == j || joined.contains({i, j})) return false;
+    return true;
+  };
+  const double diameter = 2.0 * sim.model().yarn.radius_m;
+  double least = 1e3;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t j = i + 1; j < segments.size(); ++j) {
+      const double now = distance(sim.state().q, segments[i], segments[j]) / diameter;
+      if (now >= least || !strangers(segments[i], segments[j])) continue;
+      if (distance(sim.model().start_q, segments[i], segments[j]) > diameter) least = now;
+    }
+  return least;
+}
+
+/// Runs for `duration` and returns the least distance of strangers after any step.
+double closest_ever(const Scene& scene, double duration) {
+  EXPECT_TRUE(check(scene).empty());
+  Simulation sim(prepare(scene).model);
+  double least = 1e3;
+  for (double t = 0.0; t < duration - 1e-9; t += 1.0 / 240.0) {
+    const StepReport report = sim.step(1.0 / 240.0, {}, {});
+    EXPECT_TRUE(report.accepted) << "t = " << t << ": " << to_string(report.newton.status);
+    if (!report.accepted) return 0.0;
+    least = std::min(least, closest_strangers(sim));
+  }
+  std::printf("strangers never closer than %.3f diameters\n", least);
+  return least;
+}
+
+TEST(SelfCollision, IsNotFeltByARelaxedSwatchOrTube) {
+  for (bool round : {false, true}) {
+    Scene scene = test::knit_scene("stockinette", 6, 12);
+    scene.knit->pattern.in_the_round = round;
+    scene.effects.self_collision.emplace();
+    const Model model = prepare(scene).model;
+    SelfCollision contact(model);
+    State state;
+    state.q = model.start_q;
+    contact.begin_step({1e-3, state});
+    EXPECT_GT(contact.size(), 100);
+    double energy = 0.0, force = 0.0;
+    for (int k = 0; k < contact.size(); ++k) {
+      Vec<12> q, g;
+      for (int i = 0; i < 12; ++i) q[i] = model.start_q[contact.coords(k)[static_cast<std::size_t>(i)]];
+      energy += contact.eval(k, q, &g, nullptr);
+      force += g.norm();
+    }
+    EXPECT_EQ(energy, 0.0);
+    EXPECT_EQ(force, 0.0);
+  }
+}
+
+Scene curling_swatch() {
+  Scene scene = test::knit_scene("stockinette", 18, 6);
+  test::use_demo_feel(scene.effects);
+  scene.effects.wrapping->alpha = 1.0;  // rolls up within 0.2 s
+  scene.knit->noise_m = 1e-6;
+  return scene;
+}
+
+// Points a radius apart on yarns a diameter thick leave 1.76 radii between straight centrelines that cross between them,
+// and less at corners.
+constexpr double kLeast = 0.8;
+
+TEST(SelfCollision, KeepsASwatchThatRollsUpOutOfItself) {
+  Scene scene = curling_swatch();
+  EXPECT_LT(closest_ever(scene, 0.25), 0.5);
+  scene.effects.self_collision.emplace();
+  EXPECT_GT(closest_ever(scene, 0.25), kLeast);
+}
+
+TEST(SelfCollision, KeepsTheLayersOfAFoldApart) {
+  Scene scene = test::knit_scene("stockinette", 12, 6);
+  test::use_demo_feel(scene.effects);
+  scene.effects.self_collision.emplace();
+  scene.handles = {Handle{Edge::bottom, {}, false}};
+  Handle top{Edge::top, {}, false};
+  for (int k = 0; k <= 8; ++k) {  // a half turn, over onto the lower half, and then into it
+    const double a = kPi * k / 8.0;
+    top.motion.push_back({0.05 * k, {0.0, -8e-3 * (1.0 - std::cos(a)), 8e-3 * std::sin(a) + 2e-3 * k / 8.0}, {a, 0.0, 0.0}});
+  }
+  top.motion.push_back({0.5, {0.0, -16e-3, -1e-3}, {kPi, 0.0, 0.0}});
+  scene.handles.push_back(top);
+  EXPECT_GT(closest_ever(scene, 0.5), kLeast);
+}
+
+}  // namespace
+}  // namespace slipstitch
