@@ -9,6 +9,7 @@ namespace slipstitch::testing {
 namespace {
 
 constexpr double kMm = 1e-3;
+constexpr double kRadius = 1.0 * kMm;  // thick enough for yarns that are no neighbours to touch
 
 Topology clasped_topology() {
   Topology t;
@@ -69,7 +70,7 @@ Effects all_effects() {
   e.sliding.emplace();
   e.sliding_friction.emplace().normal_force_n = 1e-3;
   e.damping = DampingEffect{.stretch_ns = 1e-2, .bending_nm2s = 1e-10, .wrapping_ns = 1e-5, .sliding_ns_per_m = 1e-3};
-  const double radius = YarnMaterial().radius_m;  // each body a little into the yarn at one of its nodes
+  const double radius = kRadius;  // each body a little into the yarn at one of its nodes
   e.colliders.emplace().colliders = {
       {Plane{{0.0, -0.4 * kMm - 0.97 * radius, 0.0}, Vec3::UnitY()}, 0.3, {}},
       {Sphere{Vec3(2.9 * kMm, 1.3 * kMm, 1.5 * kMm) + (kMm + 0.95 * radius) * Vec3(2.0, 1.0, 2.0) / 3.0, kMm}, 0.5, {}},
@@ -78,6 +79,7 @@ Effects all_effects() {
   e.wind = WindEffect{.velocity_m_per_s = {1.0, -0.5, 2.0}};
   e.shrinkage.emplace().keyframes = {{0.0, 0.9}};
   e.plasticity.emplace();
+  e.self_collision.emplace();
   return e;
 }
 
@@ -85,6 +87,7 @@ Model clasped_yarns(const Effects& effects) {
   Model model;
   model.topology = clasped_topology();
   model.effects = effects;
+  model.yarn.radius_m = kRadius;
   const VecX x = drawn_positions();
   model.topology.rest_arc = drawn_arcs(model.topology, x, 1.0);
   model.start_q.resize(model.topology.num_coords());
@@ -156,6 +159,11 @@ std::vector<Pose> sample_poses(const Model& model) {
     VecX q = shaken(0.02);
     const Vec3 e = (q.segment<3>(6) - q.segment<3>(3)).normalized();
     q.segment<3>(0) = q.segment<3>(3) + Eigen::AngleAxisd(angle, e) * (q.segment<3>(0) - q.segment<3>(3));
+    poses.push_back({q});
+  }
+  for (double share : {0.99, 0.98, 0.97, 0.96, 0.95, 0.94, 0.93, 0.92, 0.91, 0.9}) {  // squeezed: yarns that are no neighbours touch
+    VecX q = shaken(0.05);
+    q.head(first_arc) = 0.2 * q.head(first_arc) + (share - 0.2) * model.start_q.head(first_arc);
     poses.push_back({q});
   }
   return poses;
