@@ -17,6 +17,7 @@ struct Estimate {
   std::vector<std::string> effects;
   long hessian_nonzeros = 0;           // lower triangle
   std::optional<double> memory_bytes;  // of a process that runs it, within a factor of about two
+  std::optional<double> wall_s;        // of a moving scene on one core; guessed within a factor of about three
   std::string failure;                 // why there is none
 };
 

@@ -37,7 +37,7 @@ int follow_job(const Connection& connection, const std::string& name, Interrupt&
       connection, name, [&] { return interrupt.requested(); }, [&](const v1::SimJob& job) { show(job, bar); },
       [&](const RemoteError& error) {
         bar.clear();
-        note("Lost the server (" + error.message + "); trying again.");
+        note("Lost the server (" + plain_text(error) + "); trying again.");
       });
   bar.finish();
   if (end) {

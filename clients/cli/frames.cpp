@@ -25,7 +25,10 @@ struct FramesOptions {
 class FrameFetch {
  public:
   FrameFetch(const FramesOptions& options, std::string name, const Format& format)
-      : options_(options), name_(std::move(name)), interrupt_({}), exporter_(options.files.out, format) {}
+      : options_(options),
+        name_(std::move(name)),
+        interrupt_({}),
+        exporter_(options.files.out, format, options.files.force) {}
 
   int run() {
     const std::optional<Connection> connection = connect(options_.server);
@@ -35,7 +38,6 @@ class FrameFetch {
     if (!begun_) return no_frames(*download.end);
     download = fetch_frames(*connection);
     bar_.clear();
-    if (const std::string error = exporter_.finish(); !error.empty()) return fail(error);
     if (const auto code = ended_early(download, *connection)) return *code;
     return done(*download.end);
   }
@@ -55,7 +57,7 @@ class FrameFetch {
     sink.frame = std::move(frame);
     sink.broken = [this](const RemoteError& error) {
       bar_.clear();
-      note("The stream broke (" + error.message + "); going on where it was.");
+      note("The stream broke (" + plain_text(error) + "); going on where it was.");
     };
     return sink;
   }
@@ -69,8 +71,7 @@ class FrameFetch {
     if (options_.follow) bar_.show("waiting for the first frame");
     return fetch(connection, {name_, 0, 1, 1, options_.follow}, sink([this](const Frame& frame) {
                    begun_ = true;
-                   const std::string error = exporter_.open(options_.files.force);
-                   return error.empty() ? exporter_.begin(header_, frame) : error;
+                   return exporter_.begin(header_, frame);
                  }));
   }
 
@@ -93,7 +94,7 @@ class FrameFetch {
         command_for("frames", name_, connection) + " --out " + shell_word(files.out) + " --format " + files.format;
     if (files.first > 0) again += " --first " + std::to_string(files.first);
     if (files.stride > 1) again += " --stride " + std::to_string(files.stride);
-    note(count_of(static_cast<long>(exporter_.files().size()), "frame", "frames") + " written; " + name_ +
+    note(count_of(exporter_.num_frames(), "frame", "frames") + " written; " + name_ +
          " is not touched. To fetch them all:\n  " + again + (options_.follow ? " --follow" : "") + " --force");
     return kExitInterrupted;
   }
@@ -106,7 +107,7 @@ class FrameFetch {
   }
 
   int done(const v1::StreamEnd& end) {
-    const auto frames = static_cast<int>(exporter_.files().size());
+    const int frames = exporter_.num_frames();
     if (frames == 0 && end.reason() != "NO_MORE_YET") {
       complain("there is no frame " + std::to_string(options_.files.first) + "; " + name_ + " has " +
                std::to_string(end.frame_count()));

@@ -32,6 +32,15 @@ std::string unknown_command(const std::string& word, const std::vector<Command>&
          (meant.empty() ? "there are " + one_of(names) : "did you mean '" + meant + "'?");
 }
 
+// "help" and "version" as words: what the options of that name do.
+std::vector<std::string> with_options_for_words(std::vector<std::string> words) {
+  if (words.front() == "version") words.front() = "--version";
+  if (words.front() != "help") return words;
+  words.erase(words.begin());
+  words.emplace_back("--help");
+  return words;
+}
+
 int usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const auto used = app.get_subcommands();
   complain(error.what());
@@ -57,12 +66,14 @@ int main(int argc, char** argv) {
     std::cerr << app.help();
     return kExitBadInput;
   }
-  if (const std::string why = unknown_command(argv[1], commands); !why.empty()) {
+  std::vector<std::string> words = with_options_for_words({argv + 1, argv + argc});
+  if (const std::string why = unknown_command(words.front(), commands); !why.empty()) {
     complain(why);
     return kExitBadInput;
   }
+  std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
   try {
-    app.parse(argc, argv);
+    app.parse(words);
   } catch (const CLI::CallForHelp& call) {
     return app.exit(call);
   } catch (const CLI::CallForVersion& call) {

@@ -67,7 +67,9 @@ void add_threads_option(CLI::App& app, int& threads) {
       ->check(in_range(1, 1024));
 }
 
-void add_json_flag(CLI::App& app, bool& json) { app.add_flag("--json", json, "Print one JSON object, nothing else"); }
+void add_json_flag(CLI::App& app, bool& json) {
+  app.add_flag("--json", json, "Print one JSON object to stdout, nothing else");
+}
 
 void add_server_option(CLI::App& app, std::string& server) {
   app.add_option("--server", server, "Default: SLIPSTITCH_SERVER, else 127.0.0.1:50651")->type_name("HOST:PORT");

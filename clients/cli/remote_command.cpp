@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/remote_command.h"
 
-#include <iostream>
-
 #include "cli/exit_code.h"
 #include "cli/options.h"
 #include "cli/remote/address.h"
@@ -15,13 +13,24 @@ constexpr char kJobs[] = "simJobs/";
 
 int report_no_server(const RemoteError& error, const Connection& connection) {
   if (error.reason.empty()) {
-    complain("cannot reach a server at " + connection.address() + ": " + error.message);
+    complain("cannot reach a server at " + connection.address() + ": " + plain_text(error));
     note("Start one with 'slipstitch serve', or name another with --server or SLIPSTITCH_SERVER.");
   } else {
     complain("the server at " + connection.address() + " is going away: " + error.message);
     note("Jobs go on meanwhile; try again when it is back.");
   }
   return kExitNoServer;
+}
+
+// The message of an error with violations repeats the first of them.
+void report_refusal(const RemoteError& error) {
+  const auto left_out = error.metadata.find("violations_left_out");
+  if (error.violations.size() <= 1 && left_out == error.metadata.end()) return complain(error.message);
+  complain("the server refused this:");
+  for (const auto& [field, description] : error.violations) {
+    note(field.empty() ? description : field + ": " + description);
+  }
+  if (left_out != error.metadata.end()) note("... and " + left_out->second + " more");
 }
 
 int exit_code_of(const RemoteError& error) {
@@ -63,13 +72,7 @@ int report_error(const RemoteError& error, const Connection& connection) {
     complain("what listens at " + connection.address() + " is no slipstitchd, or an older one");
     return kExitNoServer;
   }
-  complain(error.message);
-  for (const auto& [field, description] : error.violations) {
-    std::cerr << (field.empty() ? description : field + ": " + description) << std::endl;
-  }
-  if (const auto left_out = error.metadata.find("violations_left_out"); left_out != error.metadata.end()) {
-    note("... and " + left_out->second + " more");
-  }
+  report_refusal(error);
   if (error.retry_after_s) note("Try again in " + duration_text(*error.retry_after_s) + ".");
   return exit_code_of(error);
 }

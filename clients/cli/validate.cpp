@@ -21,6 +21,7 @@ struct ValidateOptions {
 
 Json to_json(const std::string& scene, const Estimate& estimate) {
   const auto& memory = estimate.memory_bytes;
+  const auto& wall = estimate.wall_s;
   return {{"valid", true},
           {"scene", scene},
           {"loops", estimate.loops},
@@ -30,8 +31,8 @@ Json to_json(const std::string& scene, const Estimate& estimate) {
           {"frames", estimate.frames},
           {"least_steps", estimate.least_steps},
           {"hessian_nonzeros", estimate.hessian_nonzeros},
-          {"memory_bytes_estimate", memory ? Json(static_cast<long>(*memory)) : Json()},
-          {"wall_s_estimate", nullptr}};
+          {"estimated_memory_bytes", memory ? Json(static_cast<long>(*memory)) : Json()},
+          {"estimated_wall_s", wall ? Json(*wall) : Json()}};
 }
 
 std::string to_text(const std::string& scene, const Estimate& estimate) {
@@ -39,6 +40,7 @@ std::string to_text(const std::string& scene, const Estimate& estimate) {
   for (const std::string& line : wrap_list(estimate.effects, 66)) effects += (effects.empty() ? "" : "\n") + line;
   const std::string loops = estimate.loops > 0 ? count_of(estimate.loops, "loop", "loops") + ", " : "";
   const auto& memory = estimate.memory_bytes;
+  const auto& wall = estimate.wall_s;
   return scene + ": valid\n" +
          two_columns({{"fabric", loops + count_of(estimate.nodes, "node", "nodes") + ", " +
                                      count_of(estimate.dofs, "unknown", "unknowns")},
@@ -46,7 +48,8 @@ std::string to_text(const std::string& scene, const Estimate& estimate) {
                       {"output", count_of(estimate.frames, "frame", "frames") + " in at least " +
                                      count_of(estimate.least_steps, "step", "steps")},
                       {"memory", memory ? "about " + bytes_text(*memory) : "not known"},
-                      {"time", "not measured"}});
+                      {"time", wall ? "about " + duration_text(*wall) + ", roughly estimated from the unknowns"
+                                    : "not known for static solves"}});
 }
 
 int validate(const ValidateOptions& options) {
@@ -70,7 +73,7 @@ int validate(const ValidateOptions& options) {
 
 Command add_validate(CLI::App& root) {
   auto options = std::make_shared<ValidateOptions>();
-  CLI::App* app = root.add_subcommand("validate", "Check a scene and tell its size; run nothing");
+  CLI::App* app = root.add_subcommand("validate", "Check a scene, estimate memory and time; run nothing");
   add_scene_options(*app, options->scene);
   add_json_flag(*app, options->json);
   return {app, [options] { return validate(*options); }};

@@ -65,8 +65,9 @@ ParallelContact::ParallelContact(const Model& model) {
   k_c_ = effect->stiffness_n_per_m2.value_or(model.yarn.stretch_n / (diameter * diameter));
   const Topology& topology = model.topology;
   const std::vector<bool> contact = contact_visits(topology);
-  for_each_owned_segment(topology, [&](int, int i) {
-    const auto s = static_cast<std::size_t>(i);
+  for_each_owned_segment(topology, [&](int yarn, int i) {
+    const auto s = static_cast<std::size_t>(i), y = static_cast<std::size_t>(yarn);
+    if (i == topology.yarn_first[y] || i + 2 == topology.yarn_first[y + 1]) return;  // an end is no knot
     if (topology.segment_kind[s] != SegmentKind::free || (!contact[s] && !contact[s + 1])) return;
     const double rest = rest_length(topology, i);
     coords_.push_back({topology.arc_coord(i), topology.arc_coord(i + 1)});

@@ -17,7 +17,8 @@ double parallel_contact_energy(double k_c, double L, double d, const Vec<2>& q, 
 /// tension of k_c L d, 1.3 N in the head of a stitch of the demo yarn; two contacts are never in one place, whatever pulls.
 double parallel_contact_barrier(double k_c, double L, double d, const Vec<2>& q, Vec<2>* g, Mat<2>* hess);
 
-/// Keeps neighbouring contacts of one yarn apart: free segments with a contact or guide at an end.
+/// Keeps neighbouring contacts of one yarn apart: free segments between a contact or guide and the next node of the
+/// yarn, but not the yarn's end, which can slip out.
 class ParallelContact {
  public:
   static constexpr int kSize = 2;

@@ -43,4 +43,28 @@ concept HasStress = requires(const T& cterm, int k, const Vec<T::kSize>& q, doub
   { cterm.hessian_at(k, q, stress, hess) } -> std::same_as<void>;
 };
 
+/// A term whose stencils change from step to step: revision() changes whenever begin_step changed them.
+template <class T>
+concept HasChangingStencils = requires(const T& cterm) {
+  { cterm.revision() } -> std::same_as<long>;
+};
+
+/// A term that takes in stencils for a move before it is made.
+template <class T>
+concept WatchesMoves = requires(T& term, const VecX& q) {
+  { term.watch(q, q) } -> std::same_as<void>;
+};
+
+/// A term that some moves would carry into states it forbids, or past them.
+template <class T>
+concept LimitsMoves = requires(const T& cterm, const VecX& q, double a) {
+  { cterm.max_step(q, q, a) } -> std::same_as<double>;  // largest share <= a of the way from q by dq
+};
+
+/// A term that can take q out of states that scripted bodies have made forbidden.
+template <class T>
+concept PushesOut = requires(const T& cterm, VecX& q) {
+  { cterm.push_out(q) } -> std::same_as<void>;
+};
+
 }  // namespace slipstitch

@@ -7,6 +7,8 @@
 #include "force/air_drag.h"
 #include "force/bending.h"
 #include "force/bending_jamming.h"
+#include "force/collider_contact.h"
+#include "force/collider_friction.h"
 #include "force/contact_length.h"
 #include "force/damping.h"
 #include "force/dead_load.h"
@@ -14,6 +16,7 @@
 #include "force/gravity.h"
 #include "force/inertia.h"
 #include "force/parallel_contact.h"
+#include "force/self_collision.h"
 #include "force/sliding_friction.h"
 #include "force/stretch.h"
 #include "force/wrapping.h"
@@ -23,7 +26,8 @@ namespace slipstitch {
 /// The one list of force terms. Whatever stands here is assembled, tested and reported.
 using YarnForces = std::tuple<Inertia, Gravity, Stretch, Bending, BendingJamming, Wrapping, ContactLength,
                               ParallelContact, SlidingFriction, DampingStretch, DampingBending, DampingWrapping,
-                              DampingSliding, AirDrag, DeadLoad>;
+                              DampingSliding, AirDrag, DeadLoad, ColliderContact, ColliderFriction,
+                              SelfCollision>;
 
 inline constexpr std::size_t kNumTerms = std::tuple_size_v<YarnForces>;
 
@@ -34,6 +38,6 @@ template <class Term>
 inline constexpr bool kIsPotential =
     !(std::is_same_v<Term, Inertia> || std::is_same_v<Term, SlidingFriction> || std::is_same_v<Term, DampingStretch> ||
       std::is_same_v<Term, DampingBending> || std::is_same_v<Term, DampingWrapping> ||
-      std::is_same_v<Term, DampingSliding> || std::is_same_v<Term, AirDrag>);
+      std::is_same_v<Term, DampingSliding> || std::is_same_v<Term, AirDrag> || std::is_same_v<Term, ColliderFriction>);
 
 }  // namespace slipstitch

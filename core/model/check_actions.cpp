@@ -55,6 +55,8 @@ void check_selector(const Scene& scene, const Selector& where, const std::string
   std::visit(CheckSelector{scene, path, check}, where);
 }
 
+}  // namespace
+
 void check_motion(const std::vector<Keyframe>& motion, const std::string& path, Checker& check) {
   for (std::size_t i = 0; i < motion.size(); ++i) {
     const std::string at = element(path, i);
@@ -64,8 +66,6 @@ void check_motion(const std::vector<Keyframe>& motion, const std::string& path, 
     check.finite(at + ".rotation_rad", motion[i].rotation_rad);
   }
 }
-
-}  // namespace
 
 void check_actions(const Scene& scene, Checker& check) {
   for (std::size_t i = 0; i < scene.handles.size(); ++i) {

@@ -97,6 +97,10 @@ void check_effects(const Effects& effects, Checker& check) {
   }
   if (effects.sliding_friction) check_friction(*effects.sliding_friction, check);
   if (effects.damping) check_damping(*effects.damping, check);
+  if (effects.self_collision && effects.self_collision->stiffness_n) {
+    check.positive("effects.self_collision.stiffness_n", *effects.self_collision->stiffness_n);
+  }
+  if (effects.colliders) check_colliders(*effects.colliders, check);
   if (effects.air_drag) check_air_drag(*effects.air_drag, check);
   if (effects.wind) check_wind(*effects.wind, check);
   if (effects.shrinkage) check_shrinkage(*effects.shrinkage, check);

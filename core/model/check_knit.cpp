@@ -11,8 +11,7 @@ void check_pattern(const Pattern& pattern, const SceneLimits& limits, Checker& c
   if (pattern.courses < 2 || pattern.wales < 2) {
     check.fail("knit", size, "a pattern of at least 2 courses and 2 wales");
   } else if (stitches > limits.max_stitches) {
-    check.too_big("knit", std::to_string(stitches) + " stitches",
-                  "at most " + std::to_string(limits.max_stitches) + " stitches");
+    check.too_big("knit", std::to_string(stitches), limits.max_stitches, "stitches");
   } else if (pattern.cells.size() != static_cast<std::size_t>(stitches)) {
     check.fail("knit", std::to_string(pattern.cells.size()) + " stitches", size);
   }

@@ -27,8 +27,8 @@ void check_time(const Scene& scene, const SceneLimits& limits, Checker& check) {
   if (!std::isfinite(scene.duration_s) || !std::isfinite(scene.frames_per_s)) return;
   const double frames = scene.duration_s * scene.frames_per_s + 1.0;
   if (scene.duration_s > 0.0 && scene.frames_per_s > 0.0 && frames > limits.max_frames) {
-    check.too_big("frames_per_s", number_text(std::floor(frames)) + " frames",
-                  "at most " + std::to_string(limits.max_frames) + " frames");
+    const std::string count = std::isfinite(frames) ? number_text(std::floor(frames)) : "too many";
+    check.too_big("frames_per_s", count, limits.max_frames, "frames");
   }
 }
 

@@ -13,6 +13,11 @@ std::string number_text(double value) {
 
 std::string element(const std::string& path, std::size_t index) { return path + "[" + std::to_string(index) + "]"; }
 
+Issue too_many(const std::string& path, const std::string& count, int limit, const std::string& things) {
+  const std::string expected = "at most " + std::to_string(limit) + " " + things;
+  return {path, count + " " + things, expected, true, 0, 0, limit};
+}
+
 void Checker::finite(const std::string& path, const Vec3& value) {
   for (int c = 0; c < 3; ++c) finite(element(path, static_cast<std::size_t>(c)), value[c]);
 }

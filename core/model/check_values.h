@@ -10,6 +10,9 @@
 
 namespace slipstitch {
 
+/// "frames_per_s: is 1001 frames, expected at most 1000 frames".
+Issue too_many(const std::string& path, const std::string& count, int limit, const std::string& things);
+
 /// Collects problems. Every rule refuses what is not finite.
 class Checker {
  public:
@@ -18,8 +21,8 @@ class Checker {
   void fail(const std::string& path, const std::string& value, const std::string& expected) {
     issues_.push_back({path, value, expected});
   }
-  void too_big(const std::string& path, const std::string& value, const std::string& expected) {
-    issues_.push_back({path, value, expected, true});
+  void too_big(const std::string& path, const std::string& count, int limit, const std::string& things) {
+    issues_.push_back(too_many(path, count, limit, things));
   }
   void positive(const std::string& path, double value) { require(value > 0.0, path, value, "a finite number > 0"); }
   void not_negative(const std::string& path, double value) {

@@ -101,8 +101,7 @@ void check_yarns(const Scene& scene, const SceneLimits& limits, Checker& check) 
   std::size_t points = 0;
   for (const BareYarn& yarn : scene.yarns) points += yarn.points.size();
   if (points > static_cast<std::size_t>(std::max(limits.max_yarn_points, 0))) {
-    check.too_big("yarns", std::to_string(points) + " points",
-                  "at most " + std::to_string(limits.max_yarn_points) + " points");
+    check.too_big("yarns", std::to_string(points), limits.max_yarn_points, "points");
     return;
   }
   for (std::size_t i = 0; i < scene.yarns.size(); ++i) {

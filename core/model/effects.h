@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "math/types.h"
+#include "model/collider.h"
 
 namespace slipstitch {
 
@@ -69,6 +70,13 @@ struct DampingEffect {
   double sliding_ns_per_m = 1e-3;  // d_f on every sliding coordinate [N s/m], >= 0; acts only with sliding
 };
 
+/// Rigid bodies that yarn touches but does not enter, with stick-slip friction.
+struct CollidersEffect {
+  std::vector<Collider> colliders;
+  std::optional<double> stiffness_n;      // of the contact, k of gap_energy() > 0; default EA / 1000
+  double stick_stiffness_n_per_m = 100;   // k_t of each touching point > 0
+};
+
 /// Drag of the air on every segment, (c1 + c2 |w|) w per metre against its velocity w through the air. Needs inertia.
 struct AirDragEffect {
   double linear_ns_per_m2 = 0.0;               // c1 >= 0
@@ -101,6 +109,11 @@ struct PlasticityEffect {
   double relaxation_time_s = 1.0;  // of what is beyond, > 0
 };
 
+/// Yarn that touches other parts of the fabric but does not pass through them.
+struct SelfCollisionEffect {
+  std::optional<double> stiffness_n;  // k of gap_energy() of two points > 0; default EA / 1000
+};
+
 struct Effects {
   std::optional<InertiaEffect> inertia;
   std::optional<GravityEffect> gravity;
@@ -113,6 +126,8 @@ struct Effects {
   std::optional<SlidingEffect> sliding;
   std::optional<SlidingFrictionEffect> sliding_friction;
   std::optional<DampingEffect> damping;
+  std::optional<CollidersEffect> colliders;
+  std::optional<SelfCollisionEffect> self_collision;
   std::optional<AirDragEffect> air_drag;
   std::optional<WindEffect> wind;
   std::optional<ShrinkageEffect> shrinkage;

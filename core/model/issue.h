@@ -13,6 +13,7 @@ struct Issue {
   std::string expected;  // what would have been right
   bool too_big = false;  // over a stated limit rather than malformed
   int line = 0, column = 0;  // in the scene file, 1-based; 0: not known
+  long limit = 0;            // how many there may be; only where too_big
 };
 
 using Issues = std::vector<Issue>;

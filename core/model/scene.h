@@ -10,6 +10,7 @@
 #include "model/effects.h"
 #include "model/issue.h"
 #include "model/material.h"
+#include "model/motion.h"
 #include "model/pattern.h"
 
 namespace slipstitch {
@@ -70,14 +71,8 @@ struct AllNodes {};
 /// Which nodes. A corner is its corner stitch's nodes, an edge its outermost stitches.
 using Selector = std::variant<Corner, Edge, StitchRange, YarnPoint, AllNodes>;
 
-struct Keyframe {
-  double t = 0.0;                        // [s], strictly increasing
-  Vec3 translation_m = Vec3::Zero();     // of the start position
-  Vec3 rotation_rad = Vec3::Zero();      // axis * angle about the group's start centroid, applied before the translation
-};
-
-/// Nodes whose positions are prescribed. No keyframes and no velocity: a pin. Linear interpolation, held after the last
-/// keyframe.
+/// Nodes whose positions are prescribed, turned about the group's start centroid. No keyframes and no velocity: a pin.
+/// Linear interpolation, held after the last keyframe.
 struct Handle {
   Selector where;
   std::vector<Keyframe> motion;

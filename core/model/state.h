@@ -1,9 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "math/types.h"
 
 namespace slipstitch {
+
+/// A point of yarn that lies on a collider.
+struct Touch {
+  int sample = 0, body = 0;      // of touch_samples(), of the scene's colliders
+  Vec3 anchor = Vec3::Zero();    // where friction holds it, in the body at t = 0 [m]
+  double normal_force = 0.0;     // > 0 [N]
+};
 
 /// Everything that changes in time; a copy is a snapshot. Sizes in full coordinates (topology.h).
 struct State {
@@ -13,6 +22,7 @@ struct State {
   VecX p;          // generalised momentum M v [kg m/s] (num_coords)
   VecX anchor;     // friction anchors, arc length [m] (num_visits); follows q where friction is off
   VecX set_angle;  // rest angle of the bend at every visit [rad] (num_visits); empty without plasticity
+  std::vector<Touch> touches;  // on colliders, ascending in sample, then body
 };
 
 }  // namespace slipstitch

@@ -36,27 +36,48 @@ Vec<Term::kSize> gather(const Term& term, int k, const VecX& q) {
 
 }  // namespace
 
-Assembly::Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils) : map_(map) {
+Assembly::Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils) : map_(map), stencils_(stencils) {
+  for_each_term(forces, [&](const auto& term, int i) { select(term, pools_[static_cast<std::size_t>(i)]); });
+  make_whole_pattern(forces);
+}
+
+void Assembly::make_whole_pattern(const YarnForces& forces) {
   std::vector<std::vector<int>> cliques;
   for_each_term(forces, [&](const auto& term, int i) {
-    Pool& pool = pools_[static_cast<std::size_t>(i)];
-    select(term, stencils, pool);
-    for (int k : pool.stencil) cliques.push_back(unknowns(map_, term.coords(k)));
+    for (int k : pools_[static_cast<std::size_t>(i)].stencil) cliques.push_back(unknowns(map_, term.coords(k)));
   });
   pattern_ = make_pattern(map_.num_dofs, cliques);
   if (!map_.simple) return;
   for_each_term(forces, [&](const auto& term, int i) { place(term, pools_[static_cast<std::size_t>(i)]); });
 }
 
+void Assembly::refresh(const YarnForces& forces) {
+  bool fits = true;
+  for_each_term(forces, [&](const auto& term, int i) {
+    if constexpr (HasChangingStencils<std::decay_t<decltype(term)>>) {
+      Pool& pool = pools_[static_cast<std::size_t>(i)];
+      if (pool.revision == term.revision()) return;
+      select(term, pool);
+      for (int k : pool.stencil) fits = fits && pattern_->contains(unknowns(map_, term.coords(k)));
+      if (fits && map_.simple) place(term, pool);
+    }
+  });
+  if (!fits) make_whole_pattern(forces);
+}
+
 template <class Term>
-void Assembly::select(const Term& term, Stencils stencils, Pool& pool) const {
+void Assembly::select(const Term& term, Pool& pool) const {
+  pool.stencil.clear();
   for (int k = 0; k < term.size(); ++k)
-    if (stencils == Stencils::all || !unknowns(map_, term.coords(k)).empty()) pool.stencil.push_back(k);
+    if (stencils_ == Stencils::all || !unknowns(map_, term.coords(k)).empty()) pool.stencil.push_back(k);
   if constexpr (HasStress<Term>) pool.stress.assign(pool.stencil.size(), 0.0);
+  if constexpr (HasChangingStencils<Term>) pool.revision = term.revision();
 }
 
 template <class Term>
 void Assembly::place(const Term& term, Pool& pool) const {
+  pool.dofs.clear();
+  pool.slots.clear();
   pool.dofs.reserve(pool.stencil.size() * Term::kSize);
   pool.slots.reserve(pool.stencil.size() * Term::kSize * (Term::kSize + 1) / 2);
   for (int k : pool.stencil) {
@@ -149,6 +170,7 @@ void Assembly::add(const Term& term, Pool& pool, const VecX& q, HessianMode mode
 }
 
 void Assembly::predict(const YarnForces& forces, const VecX& q, const VecX& dq) {
+  refresh(forces);
   for_each_term(forces, [&](const auto& term, int i) {
     if constexpr (HasStress<std::decay_t<decltype(term)>>) {
       Pool& pool = pools_[static_cast<std::size_t>(i)];
@@ -161,6 +183,7 @@ void Assembly::predict(const YarnForces& forces, const VecX& q, const VecX& dq) 
 }
 
 double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h) {
+  refresh(forces);
   g.setZero(map_.num_dofs);
   h.pattern = pattern_;
   h.values.assign(pattern_->row.size(), 0.0);
@@ -176,6 +199,7 @@ double Assembly::derivatives(const YarnForces& forces, const VecX& q, HessianMod
 }
 
 double Assembly::value(const YarnForces& forces, const VecX& q) {
+  refresh(forces);
   scale_ = 0.0;
   energies_.fill(0.0);
   for_each_term(forces, [&](const auto& term, int i) {
@@ -193,15 +217,10 @@ double Assembly::value(const YarnForces& forces, const VecX& q) {
   return sum;
 }
 
-template <class Term>
-long Assembly::count_entries(const Term& term, const Pool& pool) const {
+long Assembly::count_entries(const Pool& pool) const {
   std::vector<char> entered(pattern_->row.size(), 0);
-  for (int k : pool.stencil) {
-    const std::vector<int> dofs = unknowns(map_, term.coords(k));
-    for (std::size_t c = 0; c < dofs.size(); ++c)
-      for (std::size_t r = c; r < dofs.size(); ++r)
-        entered[static_cast<std::size_t>(pattern_->slot(dofs[r], dofs[c]))] = 1;
-  }
+  for (int slot : pool.slots)
+    if (slot >= 0) entered[static_cast<std::size_t>(slot)] = 1;
   return std::count(entered.begin(), entered.end(), 1);
 }
 
@@ -209,12 +228,12 @@ EffectCosts Assembly::costs(const YarnForces& forces) const {
   EffectCosts costs;
   for_each_term(forces, [&](const auto& term, int i) {
     const Pool& pool = pools_[static_cast<std::size_t>(i)];
-    if (pool.stencil.empty()) return;
+    if (pool.stencil.empty() && pool.evaluations == 0) return;
     EffectCost& cost = costs[std::string(std::decay_t<decltype(term)>::kName)];
     cost.stencils = static_cast<long>(pool.stencil.size());
     cost.bytes = static_cast<long>((pool.stencil.size() + pool.dofs.size() + pool.slots.size()) * sizeof(int) +
                                    pool.stress.size() * sizeof(double));
-    cost.nonzeros = count_entries(term, pool);
+    cost.nonzeros = count_entries(pool);
     cost.evaluations = pool.evaluations;
   });
   return costs;

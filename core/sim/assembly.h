@@ -16,7 +16,8 @@ namespace slipstitch {
 enum class Stencils { all, touching };  // touching: only those that an unknown of the map enters
 
 /// Sums the energies of all force terms, their gradients and Hessians, in the unknowns of a DofMap.
-/// The sparsity pattern and each stencil's places in it are found once.
+/// The sparsity pattern and each stencil's places in it are kept; stencils that terms add or drop are taken in at the next
+/// evaluation, and the pattern changes only where one does not fit into it.
 class Assembly {
  public:
   Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils = Stencils::all);
@@ -32,7 +33,7 @@ class Assembly {
   double scale() const { return scale_; }  // sum of |stencil energies| of the last value or derivatives
   /// Energy of each term at the last value or derivatives, in the order of YarnForces.
   const std::array<double, kNumTerms>& energies() const { return energies_; }
-  /// What the terms with stencils here took so far.
+  /// What the terms that have or had stencils here took so far; entries are counted in simple maps only.
   EffectCosts costs(const YarnForces& forces) const;
 
  private:
@@ -40,23 +41,26 @@ class Assembly {
     std::vector<int> stencil;   // (n)
     std::vector<double> stress;  // predicted (n); empty if the term has none
     std::vector<int> dofs;      // unknown of each local coordinate, -1: held (n x kSize); simple maps only
+    long revision = 0;
     std::vector<int> slots;     // place of each lower-triangle pair, -1: none (n x kSize (kSize+1)/2); simple maps only
     long evaluations = 0;       // of one stencil
   };
   template <class Term>
-  void select(const Term& term, Stencils stencils, Pool& pool) const;
+  void select(const Term& term, Pool& pool) const;
+  void refresh(const YarnForces& forces);
+  void make_whole_pattern(const YarnForces& forces);
   template <class Term>
   void place(const Term& term, Pool& pool) const;
   template <class Term>
   void add(const Term& term, Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
            double& energy);
-  template <class Term>
-  long count_entries(const Term& term, const Pool& pool) const;
+  long count_entries(const Pool& pool) const;
   template <class Term>
   void scatter_general(const Term& term, int k, const Vec<Term::kSize>& gl, const Mat<Term::kSize>& hl, VecX& g,
                        SparseMatrix& h) const;
 
   DofMap map_;
+  Stencils stencils_;
   std::shared_ptr<const SparsePattern> pattern_;
   std::array<Pool, kNumTerms> pools_;
   std::array<double, kNumTerms> energies_{};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/moves.h"
 #include "solve/newton.h"
 
 namespace slipstitch {
@@ -14,7 +15,7 @@ constexpr double kLongestMove = 5e-3;  // of an end in one Newton step [m]
 /// The energy over the ends, in place in the full coordinates.
 class EndsObjective final : public Objective {
  public:
-  EndsObjective(const YarnForces& forces, Assembly& assembly, const std::vector<int>& coords, VecX& q)
+  EndsObjective(YarnForces& forces, Assembly& assembly, const std::vector<int>& coords, VecX& q)
       : forces_(forces), assembly_(assembly), coords_(coords), q_(q) {}
 
   double value(const VecX& z) override {
@@ -25,15 +26,15 @@ class EndsObjective final : public Objective {
     put(z);
     return assembly_.derivatives(forces_, q_, mode, g, h);
   }
-  double max_step(const VecX&, const VecX& dz) override {
-    return std::min(1.0, kLongestMove / std::max(dz.cwiseAbs().maxCoeff(), 1e-300));
+  double max_step(const VecX& z, const VecX& dz) override {
+    const double a = std::min(1.0, kLongestMove / std::max(dz.cwiseAbs().maxCoeff(), 1e-300));
+    put(z);
+    return allowed_move(forces_, q_, in_place(dz), a);
   }
   double value_scale() const override { return assembly_.scale(); }
   void predict(const VecX& z, const VecX& dz) override {
     put(z);
-    VecX dq = VecX::Zero(q_.size());
-    for (std::size_t i = 0; i < coords_.size(); ++i) dq[coords_[i]] = dz[static_cast<Eigen::Index>(i)];
-    assembly_.predict(forces_, q_, dq);
+    assembly_.predict(forces_, q_, in_place(dz));
   }
 
  private:
@@ -41,7 +42,13 @@ class EndsObjective final : public Objective {
     for (std::size_t i = 0; i < coords_.size(); ++i) q_[coords_[i]] = z[static_cast<Eigen::Index>(i)];
   }
 
-  const YarnForces& forces_;
+  VecX in_place(const VecX& dz) const {
+    VecX dq = VecX::Zero(q_.size());
+    for (std::size_t i = 0; i < coords_.size(); ++i) dq[coords_[i]] = dz[static_cast<Eigen::Index>(i)];
+    return dq;
+  }
+
+  YarnForces& forces_;
   Assembly& assembly_;
   const std::vector<int>& coords_;
   VecX& q_;
@@ -85,7 +92,7 @@ LooseEnds::LooseEnds(const Topology& topology, const YarnForces& forces, const D
   assembly_ = std::make_unique<Assembly>(forces, map_, Stencils::touching);
 }
 
-double LooseEnds::settle(const YarnForces& forces, VecX& q, const VecX& before, double step_tolerance) {
+double LooseEnds::settle(YarnForces& forces, VecX& q, const VecX& before, double step_tolerance) {
   if (coords_.empty()) return 0.0;
   EndsObjective objective(forces, *assembly_, coords_, q);
   VecX z = pick(coords_, q);

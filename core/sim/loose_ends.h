@@ -21,7 +21,7 @@ class LooseEnds {
 
   /// Minimises over the ends in q (full coordinates), from where they are in q or in `before`, whichever is lower, until
   /// a Newton step is <= step_tolerance [m]. Never raises the energy. Returns the size of the last step, infinity if there was none.
-  double settle(const YarnForces& forces, VecX& q, const VecX& before, double step_tolerance);
+  double settle(YarnForces& forces, VecX& q, const VecX& before, double step_tolerance);
 
   /// What the terms took here, beside what they took in the whole.
   EffectCosts costs(const YarnForces& forces) const { return assembly_->costs(forces); }

@@ -83,7 +83,7 @@ RelaxedRepeat relax_repeat(const Pattern& pattern, const Gauge& gauge, const Yar
   model.yarn = yarn;
   model.effects = rest_effects(effects);
   model.start_q = patch.placed.q;
-  const YarnForces forces = make_forces(model);
+  YarnForces forces = make_forces(model);
   const PeriodicUnknowns unknowns(patch);
   const DofMap map = unknowns.map();
   Assembly assembly(forces, map);

@@ -115,7 +115,7 @@ class Run {
   /// grows back by one doubling an accepted step.
   RunStatus advance_to(Simulation& sim, Monitor& monitor, HandleForces& forces, double end) {
     const double frame = 1.0 / scene_.frames_per_s;
-    const double largest = frame / std::ceil(frame / numerics_.time_step_s * (1.0 - 1e-6));
+    const double largest = frame / least_steps_per_frame(scene_.frames_per_s, numerics_.time_step_s);
     if (step_ == 0.0) step_ = largest;
     while (end - sim.state().t > 1e-9 * frame) {
       const double remaining = end - sim.state().t;
@@ -162,6 +162,10 @@ int planned_frames(double duration_s, double frames_per_s) {
   return 1 + static_cast<int>(std::ceil(duration_s * frames_per_s - 1e-9));
 }
 
+double least_steps_per_frame(double frames_per_s, double time_step_s) {
+  return std::ceil(1.0 / frames_per_s / time_step_s * (1.0 - 1e-6));
+}
+
 std::vector<std::string> effect_names(const Effects& effects) {
   std::vector<std::string> names;
   const auto add = [&](const auto& effect, const char* name) {
@@ -178,6 +182,8 @@ std::vector<std::string> effect_names(const Effects& effects) {
   add(effects.sliding, "sliding");
   add(effects.sliding_friction, "sliding_friction");
   add(effects.damping, "damping");
+  add(effects.colliders, "colliders");
+  add(effects.self_collision, "self_collision");
   add(effects.air_drag, "air_drag");
   add(effects.wind, "wind");
   add(effects.shrinkage, "shrinkage");

@@ -5,8 +5,11 @@
 #include <cmath>
 
 #include "force/bending.h"
+#include "force/collider_contact.h"
+#include "force/collider_friction.h"
 #include "force/inertia.h"
 #include "force/sliding_friction.h"
+#include "sim/moves.h"
 #include "sim/step_objective.h"
 
 namespace slipstitch {
@@ -74,7 +77,8 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   StepObjective objective(forces_, map_, assembly_, model_.topology, wall_);
   TimedSolver solver(*solver_, wall_, linear_solves_);
   VecX y;
-  restrict_to_dofs(map_, state_.q, y);
+  push_out(forces_, start);
+  restrict_to_dofs(map_, start, y);
   objective.keep_arcs(state_.q, quasi_static() ? 0.0 : kKeepArcInAStep);
   objective.predict(y, VecX::Zero(y.size()));
   if (!quasi_static()) {
@@ -111,6 +115,7 @@ void Simulation::accept(double h, const VecX& q) {
   state_.v = v;
   state_.q = q;
   state_.t += h;
+  state_.touches = term_of<ColliderFriction>(forces_).touches_at(term_of<ColliderContact>(forces_), q);
   if (friction.size() > 0) {
     friction.drag_anchors(q, state_.anchor);
   } else {

@@ -6,6 +6,7 @@
 
 #include "force/stretch.h"
 #include "force/wrapping.h"
+#include "sim/moves.h"
 
 namespace slipstitch {
 namespace {
@@ -100,7 +101,7 @@ double StepObjective::max_step(const VecX& y, const VecX& dy) {
   expand(map_, y + dy, dq_);
   dq_ -= q_;
   double a = keep_floor(q_, dq_, order_preserving_step(topology_, q_, dq_, kKeepArc));
-  a = keep_segments(q_, dq_, a);
+  a = allowed_move(forces_, q_, dq_, keep_segments(q_, dq_, a));
   for (int k = 0; k < kMaxTurnHalvings && turns_too_far(q_, dq_, a); ++k) a *= 0.5;
   return a;
 }

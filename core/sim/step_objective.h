@@ -28,7 +28,7 @@ class Stopwatch {
 /// turns by more than about a quarter of pi, and no wrap either.
 class StepObjective final : public Objective {
  public:
-  StepObjective(const YarnForces& forces, const DofMap& map, Assembly& assembly, const Topology& topology,
+  StepObjective(YarnForces& forces, const DofMap& map, Assembly& assembly, const Topology& topology,
                 std::map<std::string, double>& wall)
       : forces_(forces), map_(map), assembly_(assembly), topology_(topology), wall_(wall) {}
 
@@ -56,7 +56,7 @@ class StepObjective final : public Objective {
   bool turns_too_far(const VecX& q, const VecX& dq, double a) const;
   bool overstretched(const VecX& q) const;
 
-  const YarnForces& forces_;
+  YarnForces& forces_;
   const DofMap& map_;
   Assembly& assembly_;
   const Topology& topology_;

@@ -63,6 +63,7 @@ Search Watchdog::advance(Objective& objective, VecX& x, const NewtonPoint& point
   }
   if (!(slope < 0.0)) return slope == 0.0 ? Search::flat : Search::failed;
   const double a = objective.max_step(x, point.step);
+  if (a == 0.0) return Search::failed;
   VecX trial = moved(objective, x, a, point.step);
   if (trial == x) return Search::flat;  // below the round-off of x
   const double value = objective.value(trial);

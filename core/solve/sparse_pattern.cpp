@@ -14,6 +14,19 @@ int SparsePattern::slot(int r, int c) const {
   return static_cast<int>(it - row.begin());
 }
 
+bool SparsePattern::contains(std::span<const int> clique) const {
+  for (std::size_t i = 0; i < clique.size(); ++i) {
+    const auto c = static_cast<std::size_t>(clique[i]);
+    auto first = row.begin() + column_first[c];
+    const auto last = row.begin() + column_first[c + 1];
+    for (std::size_t j = i; j < clique.size(); ++j) {
+      first = std::lower_bound(first, last, clique[j]);
+      if (first == last || *first != clique[j]) return false;
+    }
+  }
+  return true;
+}
+
 std::shared_ptr<const SparsePattern> make_pattern(int n, std::span<const std::vector<int>> cliques) {
   std::vector<std::vector<int>> columns(static_cast<std::size_t>(n));
   for (int c = 0; c < n; ++c) columns[static_cast<std::size_t>(c)].push_back(c);

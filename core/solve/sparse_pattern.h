@@ -18,6 +18,8 @@ struct SparsePattern {
   int nonzeros() const { return static_cast<int>(row.size()); }
   /// Position of entry (r, c), r >= c. The entry must exist.
   int slot(int r, int c) const;
+  /// Whether all pairs of the given indices (ascending, no negatives) have entries.
+  bool contains(std::span<const int> clique) const;
 };
 
 /// Union of the cliques of the given index lists (each ascending or not, indices in [0, n), negatives skipped).

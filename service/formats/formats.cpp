@@ -9,11 +9,11 @@ namespace slipstitch {
 namespace {
 
 constexpr std::array kFormats{
-    Format{"obj", "obj", "Wavefront OBJ polylines (text, exact)", write_obj, "", nullptr},
-    Format{"bcc", "bcc", "Yuksel's binary curve collection (float32)", write_bcc, "", nullptr},
+    Format{"obj", "obj", "Wavefront OBJ polylines (text, exact)", write_obj, nullptr},
+    Format{"bcc", "bcc", "Yuksel's binary curve collection (float32)", write_bcc, nullptr},
     Format{"vtp", "vtp", "ParaView polylines with tension, sliding and radius, and frames.pvd (exact)", write_vtp,
-           "frames.pvd", write_pvd},
-    Format{"json", "json", "JSON, one document a frame (exact)", write_json, "", nullptr},
+           &kPvd},
+    Format{"json", "json", "JSON, one document a frame (exact)", write_json, nullptr},
 };
 
 constexpr std::array<std::string_view, 4> kNotYet{"usda", "glb", "ply", "npz"};

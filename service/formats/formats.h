@@ -15,14 +15,21 @@ struct FrameFile {
   double t = 0.0;    // [s]
 };
 
+/// One file that lists those of the frames: head, an entry a frame, foot.
+struct Collection {
+  std::string_view file_name, head;
+  std::string (*entry)(const FrameFile& file);
+  std::string_view foot;
+};
+extern const Collection kPvd;
+
 /// One way to write frames: a file a frame, and with `collection` one file that lists them.
 struct Format {
   std::string_view name;       // --format
   std::string_view extension;  // of a frame's file, without the dot
   std::string_view what;       // for --help
   std::string (*write)(const CurveFrame& frame);
-  std::string_view collection_name;  // empty: none
-  std::string (*collection)(std::span<const FrameFile> files);
+  const Collection* collection;  // null: none
 };
 
 /// Every format there is, in the order in which help shows them.
@@ -39,6 +46,5 @@ std::string write_obj(const CurveFrame& frame);
 std::string write_bcc(const CurveFrame& frame);
 std::string write_vtp(const CurveFrame& frame);
 std::string write_json(const CurveFrame& frame);
-std::string write_pvd(std::span<const FrameFile> files);
 
 }  // namespace slipstitch

@@ -60,6 +60,12 @@ std::string point_data(const CurveFrame& frame, AppendedArrays& arrays) {
          arrays.add("Int32", "yarn", 1, yarn_of_points(frame)) + "</PointData>\n";
 }
 
+std::string pvd_entry(const FrameFile& file) {
+  std::string text = "<DataSet timestep=\"";
+  append_number(text, file.t);
+  return text + "\" part=\"0\" file=\"" + file.name + "\"/>\n";
+}
+
 }  // namespace
 
 std::string write_vtp(const CurveFrame& frame) {
@@ -83,16 +89,9 @@ std::string write_vtp(const CurveFrame& frame) {
   return text + "\n</AppendedData>\n</VTKFile>\n";
 }
 
-std::string write_pvd(std::span<const FrameFile> files) {
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-      "<Collection>\n";
-  for (const FrameFile& file : files) {
-    text += "<DataSet timestep=\"";
-    append_number(text, file.t);
-    text += "\" part=\"0\" file=\"" + file.name + "\"/>\n";
-  }
-  return text + "</Collection>\n</VTKFile>\n";
-}
+const Collection kPvd{"frames.pvd",
+                      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" "
+                      "byte_order=\"LittleEndian\">\n<Collection>\n",
+                      pvd_entry, "</Collection>\n</VTKFile>\n"};
 
 }  // namespace slipstitch

@@ -22,7 +22,18 @@ void check_unknown(const google::protobuf::Message& message, const std::string& 
   }
 }
 
-// Besides the scene, whose paths start at the scene itself.
+// Paths of a scene start at the scene, those of a request at the request.
+void add_scene_issues(const v1::Scene& scene_message, LoadResult& loaded, Issues& issues) {
+  loaded = load_scene_message(scene_message);
+  const Issues* found = std::get_if<Issues>(&loaded);
+  if (found == nullptr) return;
+  for (Issue issue : *found) {
+    issue.path = issue.path.empty() ? "spec.scene" : "spec.scene." + issue.path;
+    issues.push_back(std::move(issue));
+  }
+}
+
+// Besides the scene.
 void check_spec(const v1::CreateSimJobRequest& request, Issues& issues) {
   check_unknown(request, "", issues);
   check_unknown(request.spec(), "spec", issues);
@@ -57,8 +68,7 @@ jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJo
   Issues issues;
   check_spec(request, issues);
   LoadResult loaded = Issues();
-  if (request.spec().has_scene()) loaded = load_scene_message(request.spec().scene());
-  if (const Issues* found = std::get_if<Issues>(&loaded)) issues.insert(issues.end(), found->begin(), found->end());
+  if (request.spec().has_scene()) add_scene_issues(request.spec().scene(), loaded, issues);
   if (!issues.empty()) {  // else the store checks the other fields
     const Issues fields = jobs::check_fields(request.request_id(), request.spec().threads());
     issues.insert(issues.end(), fields.begin(), fields.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "grpc/grpc_server.h"
 
+#include <grpc/support/log.h>
 #include <grpcpp/ext/proto_server_reflection_plugin.h>
 #include <grpcpp/health_check_service_interface.h>
 #include <grpcpp/server.h>
@@ -16,6 +17,16 @@ namespace {
 // CreateSimJob refuses it unparsed, naming the flag.
 constexpr int kReceiveSlackMib = 256;
 constexpr int kMinPingInterval_ms = 10'000;
+
+void say_nothing(gpr_log_func_args*) {}
+
+// gRPC logs lines of its own when an address cannot be had; the caller says so in ours.
+std::unique_ptr<grpc::Server> build_quietly(grpc::ServerBuilder& builder) {
+  gpr_set_log_function(say_nothing);
+  std::unique_ptr<grpc::Server> server = builder.BuildAndStart();
+  gpr_set_log_function(nullptr);
+  return server;
+}
 
 void configure(grpc::ServerBuilder& builder, const GrpcOptions& options) {
   builder.AddChannelArgument(GRPC_ARG_ALLOW_REUSEPORT, 0);  // else two servers share a port unnoticed
@@ -50,10 +61,14 @@ jobs::Outcome<std::unique_ptr<GrpcServer>> GrpcServer::start(jobs::JobStore& sto
   builder.AddListeningPort(options.address, grpc::InsecureServerCredentials(), &port);
   builder.RegisterService(&state->jobs);
   builder.RegisterService(&state->frames);
-  state->server = builder.BuildAndStart();
+  state->server = build_quietly(builder);
   if (!state->server || port == 0) {
-    return jobs::Error{
-        jobs::ErrorCode::unavailable, "CANNOT_LISTEN", "cannot listen on " + options.address, {}, {}, {}};
+    return jobs::Error{jobs::ErrorCode::unavailable,
+                       "CANNOT_LISTEN",
+                       "cannot listen on " + options.address + ": it is in use, or not of this machine",
+                       {},
+                       {},
+                       {}};
   }
   state->address = options.address.substr(0, options.address.rfind(':') + 1) + std::to_string(port);
   for (const char* service : {v1::SimJobs::service_full_name(), v1::Frames::service_full_name()}) {
@@ -67,10 +82,12 @@ const std::string& GrpcServer::address() const { return state_->address; }
 void GrpcServer::stop(double grace_s) {
   if (!state_->server) return;
   state_->server->GetHealthCheckService()->SetServingStatus(false);
-  state_->store.stop();
   const auto grace =
       std::chrono::duration_cast<std::chrono::system_clock::duration>(std::chrono::duration<double>(grace_s));
-  state_->server->Shutdown(std::chrono::system_clock::now() + grace);
+  const auto deadline = std::chrono::system_clock::now() + grace;
+  state_->store.stop();
+  state_->store.wait_unwatched(grace_s);  // who calls meanwhile is still told why not; from Shutdown on nobody is
+  state_->server->Shutdown(deadline);
   state_->server->Wait();
   state_->server.reset();
 }

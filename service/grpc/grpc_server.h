@@ -25,7 +25,7 @@ class GrpcServer {
   const std::string& address() const;  // with the port in use
 
   /// First not serving by the health service, then no new jobs and every stream ended with SERVER_STOPPING (stops the
-  /// store); what is not done after `grace_s` is cut off.
+  /// store). Until those streams are gone calls are answered, at most for `grace_s`; what is not done then is cut off.
   void stop(double grace_s);
 
  private:

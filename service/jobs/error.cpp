@@ -6,6 +6,7 @@
 #include "scene_io/issue_text.h"
 
 namespace slipstitch::jobs {
+
 Error error_from_issues(Issues issues) {
   const bool only_limits = std::all_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.too_big; });
   Error error;
@@ -13,6 +14,7 @@ Error error_from_issues(Issues issues) {
   error.reason = only_limits ? "SCENE_TOO_BIG" : "INVALID_SCENE";
   error.message = issues.empty() ? "invalid scene" : issue_line(issues.front());
   if (issues.size() > 1) error.message += " (and " + std::to_string(issues.size() - 1) + " more)";
+  if (only_limits && !issues.empty()) error.metadata["limit"] = std::to_string(issues.front().limit);
   error.violations = std::move(issues);
   return error;
 }

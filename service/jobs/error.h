@@ -52,7 +52,7 @@ class Outcome {
 
 struct Done {};
 
-/// Problems of a scene or of request fields. RESOURCE_EXHAUSTED when nothing but limits is hurt.
+/// Problems of a scene or of request fields. RESOURCE_EXHAUSTED when nothing but limits is hurt, with the first limit.
 Error error_from_issues(Issues issues);
 
 Error invalid_field(const std::string& field, const std::string& value, const std::string& expected);

@@ -9,7 +9,7 @@
 
 namespace slipstitch::jobs {
 
-/// How a worker ended, as far as can be known: the exit of a process that somebody else started cannot.
+/// How a worker ended. Both are empty for one that an earlier server started: only its parent is told.
 struct WorkerEnd {
   std::optional<int> exit_code;
   std::optional<int> signal;

@@ -8,6 +8,7 @@
 #include "jobs/server_summary.h"
 #include "run_dir/atomic_file.h"
 #include "run_dir/control_log.h"
+#include "run_dir/frame_log.h"
 
 namespace slipstitch::jobs {
 namespace {
@@ -33,6 +34,13 @@ bool cancel_was_requested(const RunDir& dir) {
   return false;
 }
 
+// A worker that was killed had no time to write its last progress.json.
+void count_logged_frames(const RunDir& dir, Progress& progress) {
+  FrameLogReader log(dir.frames());
+  log.poll();
+  progress.frames = std::max(progress.frames, log.num_frames());
+}
+
 void take_summary(JobRecord& record) {
   Job& job = record.job;
   const Result<std::string> text = read_file(record.dir.summary(), kMaxSummaryBytes);
@@ -42,6 +50,7 @@ void take_summary(JobRecord& record) {
   // Files are stamped by a clock that lags a tick behind utc_now(); RFC 3339 sorts as text.
   job.end_time = std::max({file_time(record.dir.summary()), job.start_time, job.info.create_time});
   if (job.state != JobState::failed) return;
+  if (job.progress) count_logged_frames(record.dir, job.progress->progress);
   job.failure =
       summary ? summary->failure : Failure{"STORAGE_FAILED", record.dir.summary().string() + " cannot be read", {}};
 }

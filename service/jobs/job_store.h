@@ -75,6 +75,8 @@ class JobStore {
   /// No new jobs and no new workers from now on; watchers are woken. Workers run on.
   void stop();
   bool stopping() const;
+  /// Waits until nobody watches, at most `seconds`.
+  void wait_unwatched(double seconds);
   /// After stop(): asks all running jobs to end, waits `grace_s`, then kills what is left. Queued jobs stay queued.
   void stop_jobs(double grace_s);
 
@@ -105,7 +107,7 @@ class JobStore {
   const std::unique_ptr<Executor> executor_;  // used by the scheduler's thread, and after it ended by stop_jobs()
 
   mutable std::mutex mutex_;  // guards all below
-  std::condition_variable work_;
+  std::condition_variable work_, unwatched_;
   std::map<std::string, JobRecord> jobs_;             // by id, so by time
   std::map<std::string, std::string> by_request_id_;  // -> id
   std::map<WatchId, Watcher> watchers_;

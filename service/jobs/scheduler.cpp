@@ -95,6 +95,12 @@ JobStore::WatchId JobStore::watch(const std::string& id, std::function<void()> c
 void JobStore::unwatch(WatchId watch) {
   const std::lock_guard lock(mutex_);
   watchers_.erase(watch);
+  if (watchers_.empty()) unwatched_.notify_all();
+}
+
+void JobStore::wait_unwatched(double seconds) {
+  std::unique_lock lock(mutex_);
+  unwatched_.wait_for(lock, std::chrono::duration<double>(seconds), [this] { return watchers_.empty(); });
 }
 
 bool JobStore::stopping() const {

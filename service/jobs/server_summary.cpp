@@ -77,7 +77,8 @@ Failure failure_of(const WorkerEnd& end, const RunDir& dir) {
     failure.message = "the worker ended with exit code " + std::to_string(*end.exit_code) + " and left no summary";
   } else {
     failure.reason = "WORKER_LOST";
-    failure.message = "the worker is gone and left no summary; nobody was there to see why";
+    failure.message =
+        "the worker is gone and left no summary; its end status is unknown: it was started by an earlier server";
   }
   return failure;
 }

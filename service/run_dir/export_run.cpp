@@ -22,6 +22,15 @@ std::string export_frames(const FrameLogReader& log, FrameExporter& exporter, co
   return {};
 }
 
+std::string why_no_frames(const RunDir& run, const FrameLogReader& log) {
+  if (log.state() == LogState::corrupt) return log.reason();
+  if (!has_summary(run) && log.state() == LogState::growing) return run.path.string() + " has no frames yet";
+  std::error_code error;
+  if (!std::filesystem::exists(run.frames(), error))
+    return run.frames().string() + " is missing, though the run has ended";
+  return run.path.string() + " has ended without a frame";
+}
+
 }  // namespace
 
 Report export_run(const RunDir& run, const std::filesystem::path& folder, const Format& format,
@@ -29,21 +38,16 @@ Report export_run(const RunDir& run, const std::filesystem::path& folder, const 
   if (options.first < 0 || options.stride < 1) return Report::failed("first must be >= 0 and stride >= 1");
   FrameLogReader log(run.frames());
   const LogState state = log.poll();
-  if (log.num_frames() == 0) {
-    return Report::failed(state == LogState::corrupt ? log.reason() : run.path.string() + " has no frames yet");
-  }
+  if (log.num_frames() == 0) return Report::failed(why_no_frames(run, log));
   if (options.first >= log.num_frames()) {
     return Report::failed("there is no frame " + std::to_string(options.first) + ", " +
                           std::to_string(log.num_frames()) + " so far");
   }
-  FrameExporter exporter(folder, format);
-  if (std::string error = exporter.open(options.force); !error.empty()) return Report::failed(error);
+  FrameExporter exporter(folder, format, options.force);
   std::string error = export_frames(log, exporter, options);
-  const std::string finish_error = exporter.finish();
-  if (error.empty()) error = finish_error;
   if (error.empty() && state == LogState::corrupt) error = log.reason();
   if (!error.empty()) return Report::failed(error);
-  return Report::of({static_cast<int>(exporter.files().size()), state == LogState::ended});
+  return Report::of({exporter.num_frames(), state == LogState::ended});
 }
 
 }  // namespace slipstitch

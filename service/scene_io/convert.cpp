@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "model/check_values.h"
 #include "scene_io/convert_parts.h"
 
 namespace slipstitch {
@@ -49,8 +50,7 @@ std::vector<std::string> strings_from(const google::protobuf::RepeatedPtrField<s
 bool preset_fits(const v1::Preset& preset, const SceneLimits& limits, Issues& issues) {
   const std::int64_t stitches = std::int64_t{preset.courses()} * preset.wales();
   if (preset.courses() <= 0 || preset.wales() <= 0 || stitches <= limits.max_stitches) return true;
-  issues.push_back({"knit.preset", std::to_string(stitches) + " stitches",
-                    "at most " + std::to_string(limits.max_stitches) + " stitches", true});
+  issues.push_back(too_many("knit.preset", std::to_string(stitches), limits.max_stitches, "stitches"));
   return false;
 }
 
@@ -245,15 +245,7 @@ struct SelectorWriter {
 Handle handle_from(const v1::Handle& message, const std::string& path, Issues& issues) {
   Handle handle;
   handle.where = selector_from(message.where(), path + ".where", issues);
-  for (int i = 0; i < message.motion_size(); ++i) {
-    const v1::Keyframe& from = message.motion(i);
-    const std::string key_path = indexed(path + ".motion", i);
-    Keyframe& keyframe = handle.motion.emplace_back();
-    keyframe.t = from.t();
-    keyframe.translation_m =
-        vector_from(from.translation_m(), keyframe.translation_m, key_path + ".translation_m", issues);
-    keyframe.rotation_rad = vector_from(from.rotation_rad(), keyframe.rotation_rad, key_path + ".rotation_rad", issues);
-  }
+  handle.motion = motion_from(message.motion(), path + ".motion", issues);
   handle.fix_arc_length = message.fix_arc_length();
   if (!message.velocity_m_per_s().empty()) {
     handle.velocity_m_per_s =
@@ -264,12 +256,7 @@ Handle handle_from(const v1::Handle& message, const std::string& path, Issues& i
 
 void write_handle(const Handle& handle, v1::Handle& message) {
   std::visit(SelectorWriter{*message.mutable_where()}, handle.where);
-  for (const Keyframe& keyframe : handle.motion) {
-    v1::Keyframe& to = *message.add_motion();
-    to.set_t(keyframe.t);
-    add_vector(keyframe.translation_m, *to.mutable_translation_m());
-    add_vector(keyframe.rotation_rad, *to.mutable_rotation_rad());
-  }
+  write_motion(handle.motion, *message.mutable_motion());
   message.set_fix_arc_length(handle.fix_arc_length);
   if (handle.velocity_m_per_s) add_vector(*handle.velocity_m_per_s, *message.mutable_velocity_m_per_s());
 }

@@ -190,6 +190,11 @@ Effects effects_from_message(const v1::Effects& message, Issues& issues) {
   read_effects_of_motion(message, effects, issues);
   read_elastic_effects(message, effects);
   read_sliding_effects(message, effects);
+  if (message.has_self_collision()) {
+    effects.self_collision.emplace();
+    if (message.self_collision().has_stiffness_n()) effects.self_collision->stiffness_n = message.self_collision().stiffness_n();
+  }
+  if (message.has_colliders()) effects.colliders = colliders_from(message.colliders(), issues);
   read_surroundings(message, effects, issues);
   return effects;
 }
@@ -198,6 +203,11 @@ void write_effects(const Effects& effects, v1::Effects& message) {
   write_effects_of_motion(effects, message);
   write_elastic_effects(effects, message);
   write_sliding_effects(effects, message);
+  if (effects.self_collision) {
+    message.mutable_self_collision();
+    if (effects.self_collision->stiffness_n) message.mutable_self_collision()->set_stiffness_n(*effects.self_collision->stiffness_n);
+  }
+  if (effects.colliders) write_colliders(*effects.colliders, *message.mutable_colliders());
   write_surroundings(effects, message);
 }
 

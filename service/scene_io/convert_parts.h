@@ -25,6 +25,12 @@ void add_vector(const Vec3& vector, Doubles& numbers);
 YarnMaterial material_from_message(const v1::YarnMaterial& message);
 void write_material(const YarnMaterial& yarn, v1::YarnMaterial& message);
 
+std::vector<Keyframe> motion_from(const google::protobuf::RepeatedPtrField<v1::Keyframe>& message, const std::string& path,
+                                  Issues& issues);
+void write_motion(const std::vector<Keyframe>& motion, google::protobuf::RepeatedPtrField<v1::Keyframe>& message);
+
+CollidersEffect colliders_from(const v1::CollidersEffect& message, Issues& issues);
+void write_colliders(const CollidersEffect& effect, v1::CollidersEffect& message);
 using LengthKeyframes = google::protobuf::RepeatedPtrField<v1::LengthKeyframe>;
 std::vector<LengthKeyframe> length_keyframes_from(const LengthKeyframes& messages);
 void add_length_keyframes(const std::vector<LengthKeyframe>& keyframes, LengthKeyframes& messages);

@@ -17,6 +17,8 @@
 namespace slipstitch {
 namespace {
 
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // editors on Windows put it in front of UTF-8
+
 /// True when the problem at `earlier` may be the only cause of one reported at `later`: the same field or one that
 /// holds it. After a problem of the whole document nothing else can be told.
 bool may_cause(const std::string& earlier, const std::string& later) {
@@ -92,6 +94,7 @@ std::optional<std::string> file_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file.is_open() || file.bad()) return std::nullopt;
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   return text;
 }
 

@@ -25,7 +25,8 @@ using LoadResult = std::variant<LoadedScene, Issues>;
 /// Missing objects are made. The value is JSON, or else a string.
 using Settings = std::vector<std::string>;
 
-/// Reads a scene file (.json) or a chart (.txt, run with the defaults of chart_text.h) and checks it.
+/// Reads a scene file (.json) or a chart (.txt, run with the defaults of chart_text.h) and checks it. UTF-8, with or
+/// without a byte order mark.
 LoadResult load_scene_file(const std::filesystem::path& path, const Settings& settings = {},
                            const SceneLimits& limits = {});
 

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 
 #include "jobs/data_dir.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr int kMaxSceneMib = 1024;
 constexpr int kMaxSlots = 1024;
 constexpr int kMaxQueue = 1'000'000;
+constexpr double kLongest_s = 86'400.0;
 
 std::filesystem::path worker_beside_executable() {
   std::error_code error;
@@ -46,6 +48,17 @@ bool asks_for_http(const std::vector<std::string>& arguments) {
 // Without CLI11's own wording of the range, which the descriptions give.
 CLI::Validator in_range(int first, int last) { return CLI::Range(first, last).description(""); }
 
+CLI::Validator seconds_from(double least) {
+  const auto check = [least](const std::string& text) -> std::string {
+    double seconds = 0.0;
+    const char* end = text.data() + text.size();
+    const auto parsed = std::from_chars(text.data(), end, seconds);
+    if (parsed.ec == std::errc() && parsed.ptr == end && seconds >= least && seconds <= kLongest_s) return {};
+    return "'" + text + "' is no number of seconds in that range";
+  };
+  return {check, ""};
+}
+
 void declare(CLI::App& app, ServerOptions& options, std::string& data_dir, std::string& worker) {
   app.add_option("--grpc", options.grpc_address, "Listen here; port 0 takes any free one")
       ->capture_default_str()
@@ -60,6 +73,14 @@ void declare(CLI::App& app, ServerOptions& options, std::string& data_dir, std::
   app.add_option("--max-scene-mib", options.max_scene_mib, "Largest scene taken, 1 to 1024 MiB")
       ->capture_default_str()
       ->check(in_range(1, kMaxSceneMib));
+  app.add_option("--stall-timeout", options.stall_timeout_s,
+                 "Seconds after which a stream whose client does not read is ended, 0.1 to 86400")
+      ->capture_default_str()
+      ->check(seconds_from(0.1));
+  app.add_option("--stop-grace", options.stop_grace_s,
+                 "Seconds that calls and streams get to end when the server stops, 0 to 86400")
+      ->capture_default_str()
+      ->check(seconds_from(0.0));
   app.add_option("--worker", worker, "The program that runs a job")->capture_default_str();
   app.add_flag("--stop-jobs", options.stop_jobs, "On SIGTERM or SIGINT end running jobs too; without it they run on");
 }

@@ -15,6 +15,8 @@ struct ServerOptions {
   int slots = 1;
   int queue = 100;
   int max_scene_mib = 16;
+  double stall_timeout_s = 30.0;
+  double stop_grace_s = 2.0;
   bool stop_jobs = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <signal.h>
 
+#include <chrono>
 #include <iostream>
 #include <memory>
 
@@ -14,8 +15,7 @@
 namespace slipstitch {
 namespace {
 
-constexpr double kStreamGrace_s = 2.0;  // for streams to end and unary calls to be answered
-constexpr double kJobGrace_s = 10.0;    // for a worker to finish its Newton iteration
+constexpr double kJobGrace_s = 10.0;  // for a worker to finish its Newton iteration
 
 sigset_t stop_signals() {
   sigset_t signals;
@@ -30,8 +30,7 @@ jobs::Outcome<std::unique_ptr<jobs::JobStore>> open_store(const ServerOptions& o
   if (!executor) return executor.error();
   jobs::Outcome<jobs::DataDir> data = jobs::DataDir::open(options.data_dir);
   if (!data) return data.error();
-  const jobs::StoreOptions store{options.slots, options.queue, jobs::kDefaultThreads,
-                                 jobs::blas_core_for_jobs()};
+  const jobs::StoreOptions store{options.slots, options.queue, jobs::kDefaultThreads, jobs::blas_core_for_jobs()};
   std::vector<std::string> warnings;
   auto opened = std::make_unique<jobs::JobStore>(std::move(*data), store, std::move(*executor), warnings);
   for (const std::string& warning : warnings) std::cerr << "slipstitchd: " << warning << "\n";
@@ -53,12 +52,14 @@ void wait_for_stop_signal() {
 int run_server(const ServerOptions& options, const std::string& program) {
   auto store = open_store(options);
   if (!store) return report(program, store.error());
-  auto server = GrpcServer::start(**store, {options.grpc_address, options.max_scene_mib, {}});
+  const auto stall_timeout =
+      std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(options.stall_timeout_s));
+  auto server = GrpcServer::start(**store, {options.grpc_address, options.max_scene_mib, {stall_timeout}});
   if (!server) return report(program, server.error());
   std::cout << "slipstitchd ready grpc=" << (*server)->address() << " http=none" << std::endl;
   wait_for_stop_signal();
   std::cerr << program << ": stopping" << (options.stop_jobs ? ", and the jobs with it" : "; workers run on") << "\n";
-  (*server)->stop(kStreamGrace_s);
+  (*server)->stop(options.stop_grace_s);
   if (options.stop_jobs) (*store)->stop_jobs(kJobGrace_s);
   return 0;
 }

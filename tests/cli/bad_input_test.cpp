@@ -101,6 +101,8 @@ TEST(BadInput, NoServerIsNamedWithItsAddressAndWhatToDo) {
       EXPECT_EQ(end.out, "") << call[0];
       EXPECT_NE(end.err.find(address), std::string::npos) << end.err;
       EXPECT_NE(end.err.find("slipstitch serve"), std::string::npos) << end.err;
+      EXPECT_NE(end.err.find("Connection refused"), std::string::npos) << end.err;
+      EXPECT_EQ(end.err.find("last error"), std::string::npos) << "gRPC's own words: " << end.err;
     }
   }
   EXPECT_FALSE(std::filesystem::exists(out));

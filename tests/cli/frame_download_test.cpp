@@ -8,6 +8,8 @@
 #include <mutex>
 
 #include "cli/frame_messages.h"
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
 
 namespace slipstitch::test {
 namespace {
@@ -92,6 +94,20 @@ TEST(FrameDownload, GoesOnWhereTheStreamBroke) {
   EXPECT_EQ(fetched.headers, 1);
   EXPECT_EQ(fetched.breaks, 3);
   EXPECT_EQ(server.first_indices(), (std::vector<std::uint32_t>{1, 3, 3, 9}));
+}
+
+TEST(FrameDownload, GoesOnAfterAStallButNotAfterAnyOtherAbort) {
+  google::rpc::ErrorInfo info;
+  info.set_reason("STREAM_STALLED");
+  google::rpc::Status details;
+  details.add_details()->PackFrom(info);
+  const grpc::Status stalled(grpc::StatusCode::ABORTED, "stalled", details.SerializeAsString());
+  const FrameServer server({{3, stalled, false}, {6, grpc::Status::OK, true}});
+  const Fetched fetched = fetch(server, 0, 1);
+  EXPECT_TRUE(fetched.result.end.has_value());
+  EXPECT_EQ(fetched.indices, (std::vector<int>{0, 1, 2, 3, 4, 5}));
+  const FrameServer other({{3, {grpc::StatusCode::ABORTED, "aborted"}, false}, {6, grpc::Status::OK, true}});
+  EXPECT_TRUE(fetch(other, 0, 1).result.error.has_value());
 }
 
 TEST(FrameDownload, AStreamThatNeverShowsItsEndIsAnError) {

@@ -63,6 +63,20 @@ TEST(Help, VersionNamesTheProgramAndItsBlas) {
   EXPECT_NE(end.out.find("BLAS"), std::string::npos) << end.out;
 }
 
+TEST(Help, WordsWithoutDashesDoTheSame) {
+  const auto expect_same = [](const std::vector<std::string>& words, const std::vector<std::string>& options) {
+    const ProgramEnd found = slipstitch(words), expected = slipstitch(options);
+    EXPECT_EQ(found.exit_code, 0) << words[0] << "\n" << found.err;
+    EXPECT_EQ(found.out, expected.out);
+    EXPECT_NE(found.out, "");
+  };
+  expect_same({"help"}, {"--help"});
+  expect_same({"help", "frames"}, {"frames", "--help"});
+  expect_same({"help", "serve"}, {"serve", "--help"});
+  expect_same({"version"}, {"--version"});
+  EXPECT_EQ(slipstitch({"help", "simulat"}).exit_code, 2);
+}
+
 TEST(Help, WhatIsNotBuiltYetSaysSoAndNamesWhatIs) {
   for (const char* command : {"study", "effects"}) {
     const ProgramEnd end = slipstitch({command, "scene.json", "--out", "x"});

@@ -6,8 +6,8 @@ namespace {
 
 // Weight and dead loads act in a given direction, inertia and drag against a given motion.
 template <class T>
-constexpr bool kKnowsSpace =
-    T::kName == "gravity" || T::kName == "inertia" || T::kName == "dead_load" || T::kName == "air_drag";
+constexpr bool kKnowsSpace = T::kName == "gravity" || T::kName == "inertia" || T::kName == "dead_load" ||
+                             T::kName == "air_drag" || T::kName == "colliders" || T::kName == "collider_friction";
 // These compare arc length with its value at the start of the step or with an anchor.
 template <class T>
 constexpr bool kKnowsArcOrigin =

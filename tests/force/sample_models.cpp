@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sample_models.h"
 
+#include "force/touch_samples.h"
+
 #include <cmath>
 
 namespace slipstitch::testing {
@@ -67,6 +69,11 @@ Effects all_effects() {
   e.sliding.emplace();
   e.sliding_friction.emplace().normal_force_n = 1e-3;
   e.damping = DampingEffect{.stretch_ns = 1e-2, .bending_nm2s = 1e-10, .wrapping_ns = 1e-5, .sliding_ns_per_m = 1e-3};
+  const double radius = YarnMaterial().radius_m;  // each body a little into the yarn at one of its nodes
+  e.colliders.emplace().colliders = {
+      {Plane{{0.0, -0.4 * kMm - 0.97 * radius, 0.0}, Vec3::UnitY()}, 0.3, {}},
+      {Sphere{Vec3(2.9 * kMm, 1.3 * kMm, 1.5 * kMm) + (kMm + 0.95 * radius) * Vec3(2.0, 1.0, 2.0) / 3.0, kMm}, 0.5, {}},
+      {Box{Vec3(-0.7, 1.1, 0.4) * kMm + (kMm + 0.98 * radius) * Vec3::UnitZ(), Vec3::Constant(kMm), Vec3::Zero()}, 0.0, {}}};
   e.air_drag = AirDragEffect{.linear_ns_per_m2 = 1e-4, .quadratic_ns2_per_m3 = 2e-3};
   e.wind = WindEffect{.velocity_m_per_s = {1.0, -0.5, 2.0}};
   e.shrinkage.emplace().keyframes = {{0.0, 0.9}};
@@ -102,6 +109,13 @@ State state_at(const Model& model, const VecX& q, std::mt19937_64& random) {
   state.v = VecX::NullaryExpr(q.size(), [&] { return 0.05 * normal(random); });
   state.p = VecX::NullaryExpr(q.size(), [&] { return 1e-8 * normal(random); });
   state.anchor = q.tail(model.topology.num_visits());
+  if (model.effects.colliders) {
+    const auto samples = touch_samples(model);
+    for (int i = 0; i < static_cast<int>(samples.size()); ++i) {  // some stick, some have slipped
+      const Vec3 anchor = place_of(samples[static_cast<std::size_t>(i)], q) + 0.02 * kMm * Vec3(normal(random), normal(random), normal(random));
+      state.touches.push_back({i, i % 3, anchor, 1e-2});
+    }
+  }
   std::uniform_real_distribution<double> angle(0.0, 1.5);
   if (model.effects.plasticity)
     state.set_angle = VecX::NullaryExpr(model.topology.num_visits(), [&] { return angle(random); });
@@ -119,7 +133,7 @@ std::vector<Pose> sample_poses(const Model& model) {
   };
   const Eigen::Index first_arc = 3 * model.topology.num_nodes;
   for (int i = 0; i < 12; ++i) poses.push_back({shaken(0.15)});
-  for (double arcs : {0.3, 0.5, 1.7}) {  // crowded: sharp for jamming, close for parallel contact; slack
+  for (double arcs : {0.2, 0.25, 0.3, 0.4, 0.5, 1.7}) {  // crowded: sharp for jamming, close for parallel contact; slack
     VecX q = shaken(0.05);
     q.tail(q.size() - first_arc) *= arcs;
     poses.push_back({q});

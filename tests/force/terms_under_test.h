@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <tuple>
@@ -43,7 +44,7 @@ struct Sample {
   int order = 0;
 };
 
-/// Every stencil of the term on the clasped yarns, at every sample pose.
+/// Every stencil of the term on the clasped yarns, at every sample pose that it does not forbid. At least one must act.
 template <class Term>
 void for_each_sample(const std::function<void(const Sample&)>& visit) {
   constexpr int N = Term::kSize;
@@ -52,6 +53,7 @@ void for_each_sample(const std::function<void(const Sample&)>& visit) {
   const State start = state_at(model, model.start_q, random);
   Term term(model);
   term.begin_step(StepContext{1e-3, start});
+  int acting = 0;
   for (const Pose& pose : sample_poses(model)) {
     for (int k = 0; k < term.size(); ++k) {
       const std::array<int, static_cast<std::size_t>(N)> coords = term.coords(k);
@@ -59,6 +61,9 @@ void for_each_sample(const std::function<void(const Sample&)>& visit) {
       for (int i = 0; i < N; ++i) sample.q[i] = pose.q[coords[static_cast<std::size_t>(i)]];
       sample.energy = with_dynamic_size<N>(
           [&term, k](const Vec<N>& q, Vec<N>* g, Mat<N>* hess) { return term.eval(k, q, g, hess); });
+      const double V = sample.energy(sample.q, nullptr, nullptr);
+      if (!std::isfinite(V)) continue;
+      acting += V != 0.0;
       sample.convex_hessian = [&term, k](const VecX& q, MatX& hess) {
         Mat<N> fixed;
         if constexpr (HasConvexHessian<Term>) term.convex_hessian(k, q, fixed);
@@ -76,6 +81,7 @@ void for_each_sample(const std::function<void(const Sample&)>& visit) {
       visit(sample);
     }
   }
+  EXPECT_GE(acting, 10);
 }
 
 }  // namespace slipstitch::testing

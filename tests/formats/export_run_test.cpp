@@ -127,13 +127,41 @@ TEST(ExportRun, StopsWhenAskedAndStaysValid) {
 
 TEST(FrameExporter, RefusesFramesOfAnotherTopology) {
   const TemporaryFolder folder;
-  FrameExporter exporter(folder / "out", *find_format("obj"));
-  ASSERT_EQ(exporter.open(false), "");
+  FrameExporter exporter(folder / "out", *find_format("obj"), false);
   Frame other = sample_frame(sample_header(), 0);
   other.q.conservativeResize(5);
   EXPECT_NE(exporter.begin(sample_header(), other), "");
   ASSERT_EQ(exporter.begin(sample_header(), sample_frame(sample_header(), 0)), "");
   EXPECT_NE(exporter.add(other), "");
+}
+
+TEST(FrameExporter, TheListIsWholeAfterEveryFrame) {
+  const TemporaryFolder folder;
+  const FrameHeader header = sample_header();
+  fs::create_directories(folder / "out");
+  write_bytes(folder / "out/frames.pvd", std::string(10'000, 'x'));  // of an earlier export
+  FrameExporter exporter(folder / "out", *find_format("vtp"), true);
+  ASSERT_EQ(exporter.begin(header, sample_frame(header, 0)), "");
+  for (int index = 0; index < 12; ++index) {
+    ASSERT_EQ(exporter.add(sample_frame(header, index)), "");
+    const auto listed = parse_pvd(read_bytes(folder / "out/frames.pvd"));
+    ASSERT_TRUE(listed) << index;
+    ASSERT_EQ(listed->size(), static_cast<std::size_t>(index) + 1);
+    EXPECT_EQ(listed->back(), std::pair(index / header.frames_per_s, frame_file_name(*find_format("vtp"), index)));
+  }
+  EXPECT_EQ(count_files(folder / "out"), 13);
+}
+
+TEST(ExportRun, TellsALogThatIsMissingFromOneThatHasNotBegun) {
+  const TemporaryFolder folder;
+  const RunDir ended = recorded_run(folder, 2, true);
+  fs::remove(ended.frames());
+  const Result<ExportReport> missing = export_run(ended, folder / "out", *find_format("obj"), {});
+  EXPECT_NE(missing.error.find("frames.log is missing"), std::string::npos) << missing.error;
+  fs::remove(ended.summary());
+  const Result<ExportReport> early = export_run(ended, folder / "out", *find_format("obj"), {});
+  EXPECT_NE(early.error.find("no frames yet"), std::string::npos) << early.error;
+  EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
 }  // namespace

@@ -259,7 +259,8 @@ TEST(Check, NamesEachProblemOnceAtItsPlace) {
 }
 
 TEST(Check, NamesAreShortAndPrintable) {
-  for (const std::string& name : {std::string(201, 'n'), std::string("two\nlines"), std::string("\x1b[31mred")}) {
+  for (const std::string& name :
+       {std::string(201, 'n'), std::string("two\nlines"), std::string("\x1b[31mred"), std::string("\x7f")}) {
     Scene scene = good_scene();
     scene.name = name;
     const Issues issues = check(scene);
@@ -293,7 +294,18 @@ TEST(Check, HoldsTheLimitsItIsGiven) {
   limits = {11, 9, 30};
   const Issues issues = check(scene, limits);
   ASSERT_EQ(issues.size(), 3u);
-  for (const Issue& issue : issues) EXPECT_TRUE(issue.too_big) << issue.path;
+  for (std::size_t i = 0; i < issues.size(); ++i) {
+    EXPECT_TRUE(issues[i].too_big) << issues[i].path;
+    EXPECT_EQ(issues[i].limit, std::vector<long>({11, 9, 30})[i]) << issues[i].path;
+  }
+}
+
+TEST(Check, CountsFramesBeyondEveryNumber) {
+  Scene scene = good_scene();
+  scene.duration_s = scene.frames_per_s = 1e200;
+  const Issues issues = check(scene);
+  ASSERT_EQ(issues.size(), 1u);
+  EXPECT_EQ(issues[0].value, "too many frames");
 }
 
 }  // namespace

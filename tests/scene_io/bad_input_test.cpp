@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "scene_text.h"
+#include "support/sample_run.h"
 
 namespace slipstitch {
 namespace {
@@ -174,6 +175,23 @@ TEST(BadInput, UnknownEnumNumbersAreRefused) {
   v1::Scene message = std::get<LoadedScene>(load_scene_json(good_scene())).message;
   message.add_handles()->mutable_where()->set_corner(static_cast<v1::Selector::Corner>(77));
   EXPECT_NE(problems(load_scene_message(message)).find("handles[0].where.corner: is 77"), std::string::npos);
+}
+
+TEST(SceneFile, AByteOrderMarkIsNoPartOfIt) {
+  const test::TemporaryFolder folder;
+  const std::string mark = "\xef\xbb\xbf";
+  test::write_bytes(folder / "good.json", mark + good_scene());
+  test::write_bytes(folder / "chart.txt", mark + "KPK\nKKK\n");
+  test::write_bytes(folder / "bad.json", mark + R"({"duration_s": -1})");
+  test::write_bytes(folder / "bad.txt", mark + "KXK\nKKK\n");
+  EXPECT_EQ(problems(load_scene_file(folder / "good.json")), "");
+  EXPECT_EQ(problems(load_scene_file(folder / "chart.txt")), "");
+  EXPECT_NE(problems(load_scene_file(folder / "bad.json"))
+                .find("duration_s: is -1, expected a finite number >= 0 (line 1, column 16)"),
+            std::string::npos)
+      << problems(load_scene_file(folder / "bad.json"));
+  EXPECT_EQ(problems(load_scene_file(folder / "bad.txt")),
+            "knit.chart.rows[0]: is X in column 2, expected K or P (line 1)\n");
 }
 
 TEST(BadInput, FilesThatAreNoScenes) {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "jobs/local_executor.h"
+#include "run_dir/frame_log.h"
 #include "store_helpers.h"
 
 namespace slipstitch::jobs {
@@ -113,6 +114,23 @@ TEST_F(RecoveryTest, MarksALostWorker) {
   ASSERT_EQ(job->state, JobState::failed);
   EXPECT_EQ(job->failure->reason, "WORKER_LOST");
   EXPECT_TRUE(has_summary(dir));
+}
+
+TEST_F(RecoveryTest, CountsTheFramesOfALostWorkerInItsLog) {
+  const RunDir dir = store_job();
+  const FrameHeader header = test::sample_header();
+  auto log = FrameLogWriter::create(dir.frames());
+  ASSERT_TRUE(log) << log.error;
+  ASSERT_EQ(log->append_header(header), "");
+  for (int i = 0; i < 5; ++i) ASSERT_EQ(log->append_frame(test::sample_frame(header, i)), "");
+  Progress progress;
+  progress.frames = 2;  // written before the last frames
+  ASSERT_EQ(write_progress(dir, {progress, {}, utc_now()}), "");
+  ASSERT_EQ(write_worker(dir, {::getpid(), 1, current_boot_id(), "local:1"}), "");
+  HeldWork work;
+  for (const char* server : {"the one that finds it lost", "the next one"}) {
+    EXPECT_EQ(open_store(folder_ / "data", work)->get(kId)->progress->progress.frames, 5) << server;
+  }
 }
 
 TEST_F(RecoveryTest, BelievesTheSummaryOfAWorkerThatEndedMeanwhile) {

@@ -66,7 +66,26 @@ TEST_F(RestartTest, MarksAWorkerLostThatDiedWithTheServer) {
   EXPECT_EQ(details_of(job.error()).infos.at(0).reason(), "WORKER_LOST");
   const Received received = stream_all(name);
   EXPECT_GE(received.frames.size(), 2U);
+  EXPECT_EQ(job.progress().frames(), received.frames.size());
   EXPECT_EQ(received.frames.rbegin()->first + 1, received.frames.size()) << "a prefix without gaps";
+}
+
+TEST_F(RestartTest, SaysThatItCannotKnowHowAWorkerOfAnEarlierServerEnded) {
+  start_server();
+  const std::string name = must_create(endless_swing()).name();
+  wait_for_frames(name, 2);
+  kill_server();
+  start_server();
+  ASSERT_EQ(get(name).state(), v1::SimJob::RUNNING);
+  ASSERT_EQ(::kill(static_cast<pid_t>(worker_of(name).pid), SIGKILL), 0);
+  const v1::SimJob job = wait_for_end(name);
+  EXPECT_EQ(job.state(), v1::SimJob::FAILED);
+  const google::rpc::ErrorInfo info = details_of(job.error()).infos.at(0);
+  EXPECT_EQ(info.reason(), "WORKER_LOST");
+  EXPECT_NE(job.error().message().find("its end status is unknown: it was started by an earlier server"),
+            std::string::npos)
+      << job.error().message();
+  EXPECT_NE(info.metadata().at("log_tail").find("running " + name), std::string::npos);
 }
 
 TEST_F(RestartTest, EveryAcknowledgedJobSurvivesKillsAtAnyTime) {
@@ -100,6 +119,7 @@ TEST_F(RestartTest, RefusesASecondServerOnTheSamePort) {
       run_program({kServer, "--grpc", server_->address(), "--data-dir", (folder_ / "other").string()});
   EXPECT_EQ(second.code, 1);
   EXPECT_NE(second.err.find(server_->address()), std::string::npos) << second.err;
+  EXPECT_EQ(std::count(second.err.begin(), second.err.end(), '\n'), 1) << second.err;
 }
 
 }  // namespace

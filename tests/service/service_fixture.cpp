@@ -93,6 +93,7 @@ void ServiceTest::start_server(const std::vector<std::string>& more) {
   grpc::ChannelArguments channel_arguments;
   channel_arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   channel_arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+  channel_arguments.SetInt(GRPC_ARG_HTTP2_BDP_PROBE, 0);  // windows stay small: what is not read is soon held back
   channel_ = grpc::CreateCustomChannel(server_->address(), grpc::InsecureChannelCredentials(), channel_arguments);
   jobs_ = v1::SimJobs::NewStub(channel_);
   frames_ = v1::Frames::NewStub(channel_);

@@ -32,7 +32,9 @@ TEST(RpcStatus, CutsTextBetweenCharacters) {
 }
 
 TEST(RpcStatus, LimitsAloneAreExhaustedResources) {
-  EXPECT_EQ(rpc_status(jobs::error_from_issues({{"a", "1", "2", true}})).code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  const jobs::Error limit = jobs::error_from_issues({{"a", "8", "at most 7", true, 0, 0, 7}});
+  EXPECT_EQ(rpc_status(limit).code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+  EXPECT_EQ(limit.metadata, (std::map<std::string, std::string>{{"limit", "7"}}));
   EXPECT_EQ(rpc_status(jobs::error_from_issues({{"a", "1", "2", true}, {"b", "1", "2", false}})).code(),
             grpc::StatusCode::INVALID_ARGUMENT);
 }

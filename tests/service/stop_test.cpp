@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <grpcpp/support/sync_stream.h>
 #include <signal.h>
 
 #include <future>
@@ -54,19 +53,16 @@ TEST_F(StopTest, SigtermEndsStreamsWithAReasonAndLeavesWorkersRunning) {
   EXPECT_EQ(worker_of(name).pid, worker.pid);
 }
 
-// HealthCheckResponse.status is field 1, SERVING = 1, NOT_SERVING = 2.
 TEST_F(StopTest, SigtermIsToldAsNotServing) {
   start_server();
-  const grpc::internal::RpcMethod watch("/grpc.health.v1.Health/Watch", grpc::internal::RpcMethod::SERVER_STREAMING);
   grpc::ClientContext context;
-  const std::unique_ptr<grpc::ClientReader<grpc::ByteBuffer>> reader(
-      grpc::internal::ClientReaderFactory<grpc::ByteBuffer>::Create(channel_.get(), watch, &context, raw_message("")));
+  const auto reader = watch_health(*channel_, context);
   grpc::ByteBuffer status;
   ASSERT_TRUE(reader->Read(&status));
-  EXPECT_EQ(text_of(status), std::string("\x08\x01"));
+  EXPECT_EQ(text_of(status), kServing);
   server_->signal(SIGTERM);
   ASSERT_TRUE(reader->Read(&status));
-  EXPECT_EQ(text_of(status), std::string("\x08\x02"));
+  EXPECT_EQ(text_of(status), kNotServing);
   context.TryCancel();
   EXPECT_EQ(server_->wait(), 0);
 }

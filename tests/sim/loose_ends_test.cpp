@@ -19,7 +19,7 @@ struct Hanging {
   YarnForces forces = make_forces(model);
   DofMap map = make_dof_map(model);
   LooseEnds ends{model.topology, forces, map};
-  State start{0.0, model.start_q, model.start_v, VecX::Zero(model.start_q.size()), model.start_q.tail(5), VecX()};
+  State start{0.0, model.start_q, model.start_v, VecX::Zero(model.start_q.size()), model.start_q.tail(5), VecX(), {}};
 
   Hanging() {
     std::apply([&](auto&... term) { (term.begin_step(StepContext{1e-2, start}), ...); }, forces);

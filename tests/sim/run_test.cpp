@@ -182,5 +182,17 @@ TEST(Run, StopsWhereAYarnEndReachesAGuide) {
   EXPECT_LT(summary.sim_time_s, 1.0);
 }
 
+TEST(Run, StopsWhereTheKnitsYarnIsPulledOutOfAStitch) {
+  Scene scene = test::knit_scene("stockinette", 4, 4);
+  test::use_demo_feel(scene.effects);
+  scene.effects.sliding_friction.reset();
+  const Vec3 out(0.0, 0.02, 0.0);  // [m] two stitches' yarn, drawn from the last tail
+  scene.handles = {Handle{StitchRange{1, 2, 1, 4}, {}, false}, Handle{YarnPoint{0, -6}, {{0.0}, {0.5, out}}, false}};
+  scene.duration_s = 0.5;
+  const RunSummary summary = run(scene, 1, {});
+  EXPECT_EQ(summary.status, RunStatus::failed);
+  EXPECT_NE(summary.message.find("the contact at course 4, wale 4"), std::string::npos) << summary.message;
+}
+
 }  // namespace
 }  // namespace slipstitch::testing

@@ -46,7 +46,7 @@ TEST(Simulation, BuildsNothingForEffectsThatAreOff) {
   Scene scene = crossed_yarns();
   scene.effects = {};
   const Model model = compile(scene, nullptr);
-  const YarnForces forces = make_forces(model);
+  YarnForces forces = make_forces(model);
   const int stencils = std::apply([](const auto&... term) { return (0 + ... + term.size()); }, forces);
   EXPECT_EQ(stencils, 0);
   Simulation sim(compile(scene, nullptr));

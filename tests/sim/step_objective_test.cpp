@@ -11,7 +11,7 @@ namespace {
 /// Length of the first piece of yarn 0 before its crossing after some of Newton's largest steps that shorten it.
 double arc_after_steps(bool keep_arcs) {
   const Model model = compile(crossed_yarns(), nullptr);
-  const YarnForces forces = make_forces(model);
+  YarnForces forces = make_forces(model);
   const DofMap map = make_dof_map(model);
   Assembly assembly(forces, map);
   std::map<std::string, double> wall;

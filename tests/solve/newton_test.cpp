@@ -88,6 +88,18 @@ NewtonOptions until_gradient(double tolerance) {
   return options;
 }
 
+TEST(Newton, StallsAtOnceWhereNoStepIsAllowed) {
+  Function bowl = quadratic(Mat<2>::Identity(), Vec<2>(1.0, 1.0));
+  bowl.limit = [](const VecX&, const VecX&) { return 0.0; };
+  const auto solver = make_cholmod_solver();
+  VecX x = Vec<2>::Zero();
+  NewtonOptions options;
+  options.step_tolerance = 1e-9;
+  const NewtonReport report = newton(bowl, *solver, options, x);
+  EXPECT_EQ(report.status, NewtonStatus::stalled);
+  EXPECT_EQ(report.iterations, 0);
+}
+
 TEST(Newton, SolvesAQuadraticInOneStep) {
   Mat<3> a;
   a << 4, 1, 0, 1, 3, -1, 0, -1, 2;

@@ -46,6 +46,12 @@ RemoteError remote_error(const grpc::Status& status) {
   return error;
 }
 
+std::string plain_text(const RemoteError& error) {
+  if (!error.reason.empty() || error.code != grpc::StatusCode::UNAVAILABLE) return error.message;
+  const std::size_t colon = error.message.rfind(": ");
+  return colon == std::string::npos ? error.message : error.message.substr(colon + 2);
+}
+
 bool worth_a_retry(const RemoteError& error) {
   return error.code == grpc::StatusCode::UNAVAILABLE || error.reason == "STREAM_STALLED";
 }

@@ -26,6 +26,9 @@ struct RemoteError {
 RemoteError remote_error(const grpc::Status& status);
 RemoteError remote_error(const google::rpc::Status& status);
 
+/// For people: the server's own message, or of a connection that failed only the cause, without gRPC's addresses.
+std::string plain_text(const RemoteError& error);
+
 /// The call never came through, or the server is going away: the same call may work a moment later.
 bool worth_a_retry(const RemoteError& error);
 

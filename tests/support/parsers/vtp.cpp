@@ -111,11 +111,17 @@ std::optional<Vtp> parse_vtp(std::string_view bytes) {
 }
 
 std::optional<std::vector<std::pair<double, std::string>>> parse_pvd(std::string_view text) {
-  const std::string xml(text);
-  if (!element(xml, "Collection")) return std::nullopt;
+  const std::string xml(text), open = "<Collection>", close = "</Collection>";
+  const std::size_t begin = xml.find(open), end = xml.find(close);
+  if (begin == std::string::npos || end == std::string::npos || end < begin) return std::nullopt;
+  const std::string head = xml.substr(0, begin), inside = xml.substr(begin + open.size(), end - begin - open.size());
+  const std::regex head_pattern("<\\?xml version=\"1.0\"\\?>\\s*<VTKFile type=\"Collection\"[^>]*>\\s*");
+  const std::regex foot_pattern("\\s*</VTKFile>\\s*"), tag_pattern("<DataSet[^>]*/>"), blank_pattern("\\s*");
+  if (!std::regex_match(head, head_pattern)) return std::nullopt;
+  if (!std::regex_match(xml.substr(end + close.size()), foot_pattern)) return std::nullopt;
+  if (!std::regex_match(std::regex_replace(inside, tag_pattern, ""), blank_pattern)) return std::nullopt;
   std::vector<std::pair<double, std::string>> files;
-  const std::regex tag_pattern("<DataSet[^>]*>");
-  for (std::sregex_iterator tag(xml.begin(), xml.end(), tag_pattern), end; tag != end; ++tag) {
+  for (std::sregex_iterator tag(inside.begin(), inside.end(), tag_pattern), last; tag != last; ++tag) {
     const auto time = attribute(tag->str(), "timestep"), file = attribute(tag->str(), "file");
     if (!time || !file) return std::nullopt;
     files.emplace_back(std::stod(*time), *file);

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <variant>
+
+#include "collide/mesh_distance.h"
+#include "collide/shape_distance.h"
+
+namespace slipstitch {
+
+/// A collider at a time.
+class RigidBody {
+ public:
+  explicit RigidBody(const Collider& collider);
+
+  void move_to(double t);
+  Distance distance(const Vec3& p) const;
+  Vec3 to_space(const Vec3& in_body) const { return turn_ * (in_body - centre_) + centre_ + translation_; }
+  Vec3 to_body(const Vec3& in_space) const { return turn_.transpose() * (in_space - centre_ - translation_) + centre_; }
+  double friction() const { return friction_; }
+
+ private:
+  std::variant<Plane, Sphere, Capsule, Box, MeshDistance> shape_;  // where it stands at t = 0
+  std::vector<Keyframe> motion_;
+  Vec3 centre_, translation_ = Vec3::Zero();
+  Mat3 turn_ = Mat3::Identity();
+  double friction_;
+};
+
+}  // namespace slipstitch

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "force/collider_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace slipstitch {
+namespace {
+
+constexpr double kDeepest = 0.1;      // overlap, in yarn radii
+constexpr double kStiffness = 1e-3;   // of EA
+constexpr double kReach = 4.0;        // radii within which a point is watched, besides what it moves in a step
+constexpr double kReachOfMove = 1.5;  // of the way that its velocity takes it
+constexpr double kKeep = 0.1;         // share of the way to the deepest overlap that one Newton step leaves
+constexpr int kMaxAdvances = 60;
+constexpr int kMaxPushes = 100;
+
+Vec3 place(double share, const Vec<6>& q) { return (1.0 - share) * q.head<3>() + share * q.tail<3>(); }
+
+/// hess = [(1-s)^2 B, s(1-s) B; s(1-s) B, s^2 B].
+void spread(double share, const Mat3& block, Mat<6>& hess) {
+  const double w[2] = {1.0 - share, share};
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) hess.block<3, 3>(3 * i, 3 * j) = w[i] * w[j] * block;
+}
+
+}  // namespace
+
+ColliderContact::ColliderContact(const Model& model) {
+  const auto& effect = model.effects.colliders;
+  if (!effect) return;
+  radius_ = model.yarn.radius_m;
+  depth_ = kDeepest * radius_;
+  k_ = effect->stiffness_n.value_or(kStiffness * model.yarn.stretch_n);
+  samples_ = touch_samples(model);
+  held_.assign(static_cast<std::size_t>(model.topology.num_nodes), 0);
+  for (const ScriptedNodes& handle : model.handles)
+    for (int node : handle.nodes) held_[static_cast<std::size_t>(node)] = 1;
+  for (const Collider& collider : effect->colliders) bodies_.emplace_back(collider);
+}
+
+double ColliderContact::gap(const Pair& pair, const VecX& q) const {
+  return body(pair.body).distance(place_of(sample(pair.sample), q)).phi - radius_;
+}
+
+double ColliderContact::normal_force(const Pair& pair, const VecX& q) const {
+  return -gap_energy(k_, depth_, gap(pair, q)).slope;
+}
+
+void ColliderContact::begin_step(const StepContext& step) {
+  if (bodies_.empty()) return;
+  for (RigidBody& body : bodies_) body.move_to(step.start.t + step.h);
+  std::vector<Pair> pairs;
+  clear_.assign(samples_.size(), std::numeric_limits<double>::infinity());
+  start_.resize(samples_.size());
+  for (int s = 0; s < static_cast<int>(samples_.size()); ++s) {
+    const auto i = static_cast<std::size_t>(s);
+    start_[i] = place_of(samples_[i], step.start.q);
+    const double reach = kReach * radius_ + kReachOfMove * step.h * place_of(samples_[i], step.start.v).norm();
+    for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
+      const double gap = body(b).distance(start_[i]).phi - radius_;
+      if (gap <= reach) pairs.push_back({s, b});
+      else clear_[i] = std::min(clear_[i], gap);
+    }
+  }
+  if (pairs == pairs_) return;
+  pairs_ = std::move(pairs);
+  ++revision_;
+}
+
+double ColliderContact::eval(int k, const Vec<6>& q, Vec<6>* g, Mat<6>* hess) const {
+  const double share = sample_of(k).share;
+  const Distance d = body(pairs_[static_cast<std::size_t>(k)].body).distance(place(share, q));
+  const GapEnergy e = gap_energy(k_, depth_, d.phi - radius_);
+  if (g) *g << (1.0 - share) * e.slope * d.normal, share * e.slope * d.normal;
+  if (hess) spread(share, e.curvature * d.normal * d.normal.transpose() + e.slope * d.curvature, *hess);
+  return e.value;
+}
+
+void ColliderContact::convex_hessian(int k, const Vec<6>& q, Mat<6>& hess) const {
+  const double share = sample_of(k).share;
+  const Distance d = body(pairs_[static_cast<std::size_t>(k)].body).distance(place(share, q));
+  const GapEnergy e = gap_energy(k_, depth_, d.phi - radius_);
+  spread(share, e.curvature * d.normal * d.normal.transpose(), hess);
+}
+
+/// Conservative advancement: a distance grows no faster than its point moves.
+double ColliderContact::keep_apart(const Pair& pair, const VecX& q, const VecX& dq, double a) const {
+  const Vec3 x = place_of(sample(pair.sample), q), dx = place_of(sample(pair.sample), dq);
+  const double way = dx.norm();
+  if (!(way > 0.0)) return a;
+  const double room = body(pair.body).distance(x).phi - radius_ + depth_;  // > 0
+  if (a * way < (1.0 - kKeep) * room) return a;
+  const double floor = kKeep * std::min(room, depth_);
+  double done = 0.0, left = room - floor;
+  for (int i = 0; i < kMaxAdvances && left > 1e-3 * floor; ++i) {
+    done += left / way;
+    if (done >= a) return a;
+    left = body(pair.body).distance(x + done * dx).phi - radius_ + depth_ - floor;
+  }
+  return std::min(a, done);
+}
+
+double ColliderContact::max_step(const VecX& q, const VecX& dq, double a) const {
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (!std::isfinite(clear_[i])) continue;
+    const double way = place_of(samples_[i], dq).norm(), gone = (place_of(samples_[i], q) - start_[i]).norm();
+    if (gone + a * way > clear_[i]) a = std::max(0.0, clear_[i] - gone) / way;
+  }
+  for (const Pair& pair : pairs_) a = keep_apart(pair, q, dq, a);
+  return a;
+}
+
+bool ColliderContact::push_out_once(VecX& q) const {
+  bool moved = false;
+  for (const Pair& pair : pairs_) {
+    const TouchSample& at = sample(pair.sample);
+    const Distance d = body(pair.body).distance(place_of(at, q));
+    const double gap = d.phi - radius_;
+    if (gap > -0.5 * depth_) continue;
+    const double w0 = held_[static_cast<std::size_t>(at.coords[0] / 3)] ? 0.0 : 1.0 - at.share;
+    const double w1 = held_[static_cast<std::size_t>(at.coords[3] / 3)] ? 0.0 : at.share;
+    const double norm = w0 * w0 + w1 * w1;
+    if (!(norm > 0.0)) continue;
+    q.segment<3>(at.coords[0]) -= w0 / norm * gap * d.normal;
+    q.segment<3>(at.coords[3]) -= w1 / norm * gap * d.normal;
+    moved = true;
+  }
+  return moved;
+}
+
+void ColliderContact::push_out(VecX& q) const {
+  for (int i = 0; i < kMaxPushes; ++i)
+    if (!push_out_once(q)) return;
+}
+
+}  // namespace slipstitch

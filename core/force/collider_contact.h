@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "collide/rigid_body.h"
+#include "force/gap_energy.h"
+#include "force/term.h"
+#include "force/touch_samples.h"
+
+namespace slipstitch {
+
+/// Yarn against rigid bodies, at points along it: gap = distance of the centreline to the surface, less the radius.
+/// No accepted step leaves a point deeper than a tenth of the radius. Between the points a sharp edge can reach deeper.
+///
+/// The stencils are the pairs that can touch within the step; `max_step` keeps all others from doing so.
+class ColliderContact {
+ public:
+  static constexpr int kSize = 6;
+  static constexpr std::string_view kName = "colliders";
+
+  struct Pair {
+    int sample = 0, body = 0;
+    bool operator==(const Pair&) const = default;
+  };
+
+  explicit ColliderContact(const Model& model);
+  int size() const { return static_cast<int>(pairs_.size()); }
+  std::array<int, kSize> coords(int k) const { return sample_of(k).coords; }
+  double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
+  void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
+  void begin_step(const StepContext& step);
+
+  /// Changes whenever begin_step changes the stencils.
+  long revision() const { return revision_; }
+  /// Largest share <= a of the way from q to q + dq on which nothing passes into a body.
+  double max_step(const VecX& q, const VecX& dq, double a) const;
+  /// Moves points out of bodies that have moved over them, as far as handles allow.
+  void push_out(VecX& q) const;
+
+  const TouchSample& sample(int i) const { return samples_[static_cast<std::size_t>(i)]; }
+  const RigidBody& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
+  const std::vector<Pair>& pairs() const { return pairs_; }
+  double gap(const Pair& pair, const VecX& q) const;
+  double normal_force(const Pair& pair, const VecX& q) const;  // [N], >= 0
+
+ private:
+  const TouchSample& sample_of(int k) const { return sample(pairs_[static_cast<std::size_t>(k)].sample); }
+  double keep_apart(const Pair& pair, const VecX& q, const VecX& dq, double a) const;
+  bool push_out_once(VecX& q) const;
+
+  double radius_ = 0.0, depth_ = 0.0, k_ = 0.0;  // [m], [m], [N]
+  std::vector<TouchSample> samples_;
+  std::vector<char> held_;  // per node: a handle moves it
+  std::vector<RigidBody> bodies_;
+  std::vector<Pair> pairs_;
+  std::vector<double> clear_;  // per sample: least gap to the bodies it is not paired with [m]
+  std::vector<Vec3> start_;    // per sample: place at the start of the step
+  long revision_ = 0;
+};
+static_assert(ForceTerm<ColliderContact>);
+
+}  // namespace slipstitch

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include <map>
+
+#include "model/check_parts.h"
+
+namespace slipstitch {
+namespace {
+
+/// How often each directed edge is walked; a closed, consistently turned surface walks each once, and once back.
+bool closed(const TriangleMesh& mesh) {
+  std::map<std::pair<int, int>, int> walks;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    ++walks[{a, b}];
+    ++walks[{b, c}];
+    ++walks[{c, a}];
+  }
+  for (const auto& [edge, times] : walks) {
+    const auto back = walks.find({edge.second, edge.first});
+    if (times != 1 || back == walks.end() || back->second != 1) return false;
+  }
+  return !walks.empty();
+}
+
+double volume(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  const auto at = [&](int i) { return Vec3(mesh.vertices[static_cast<std::size_t>(i)] - mesh.vertices.front()); };
+  for (const auto& [a, b, c] : mesh.triangles) sum += at(a).dot(at(b).cross(at(c))) / 6.0;
+  return sum;
+}
+
+bool has_flat_triangle(const TriangleMesh& mesh) {
+  const auto at = [&](int i) { return mesh.vertices[static_cast<std::size_t>(i)]; };
+  for (const auto& [a, b, c] : mesh.triangles)
+    if (!((at(b) - at(a)).cross(at(c) - at(a)).norm() > 0.0)) return true;
+  return false;
+}
+
+struct CheckShape {
+  const std::string& path;
+  Checker& check;
+
+  void operator()(const Plane& plane) const {
+    check.finite(path + ".plane.point_m", plane.point);
+    check.require(plane.normal.norm() > 0.0, path + ".plane.normal", plane.normal.norm(), "a vector that is not zero");
+  }
+  void operator()(const Sphere& sphere) const {
+    check.finite(path + ".sphere.centre_m", sphere.centre);
+    check.positive(path + ".sphere.radius_m", sphere.radius);
+  }
+  void operator()(const Capsule& capsule) const {
+    check.finite(path + ".capsule.a_m", capsule.a);
+    check.finite(path + ".capsule.b_m", capsule.b);
+    check.positive(path + ".capsule.radius_m", capsule.radius);
+    if (capsule.a == capsule.b) check.fail(path + ".capsule.b_m", "the same as a_m", "another point; for a ball, sphere");
+  }
+  void operator()(const Box& box) const {
+    check.finite(path + ".box.centre_m", box.centre);
+    check.finite(path + ".box.rotation_rad", box.rotation_rad);
+    check.finite(path + ".box.half_size_m", box.half_size);
+    check.require(box.half_size.minCoeff() > 0.0, path + ".box.half_size_m", box.half_size.minCoeff(), "three numbers > 0");
+  }
+  void operator()(const TriangleMesh& mesh) const {
+    const int vertices = static_cast<int>(mesh.vertices.size());
+    bool usable = true;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+      usable = usable && mesh.vertices[i].allFinite();
+      check.finite(element(path + ".mesh.vertices_m", 3 * i), mesh.vertices[i]);
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int vertex = mesh.triangles[i][k];
+        usable = usable && vertex >= 0 && vertex < vertices;
+        check.require_index(element(path + ".mesh.triangles", 3 * i + k), vertex, 0, vertices - 1);
+      }
+    if (!usable) return;
+    const std::string triangles = std::to_string(mesh.triangles.size()) + " triangles";
+    if (!closed(mesh)) {
+      check.fail(path + ".mesh.triangles", triangles, "a closed surface: every edge in two triangles, once each way");
+    } else if (has_flat_triangle(mesh)) {
+      check.fail(path + ".mesh.triangles", triangles, "triangles with an area");
+    } else if (!(volume(mesh) > 0.0)) {
+      check.fail(path + ".mesh.triangles", triangles, "triangles that run counter-clockwise seen from outside");
+    }
+  }
+};
+
+}  // namespace
+
+void check_colliders(const CollidersEffect& effect, Checker& check) {
+  if (effect.colliders.empty()) check.fail("effects.colliders.colliders", "empty", "at least one collider");
+  for (std::size_t i = 0; i < effect.colliders.size(); ++i) {
+    const std::string path = element("effects.colliders.colliders", i);
+    std::visit(CheckShape{path, check}, effect.colliders[i].shape);
+    check.not_negative(path + ".friction_coefficient", effect.colliders[i].friction);
+    check_motion(effect.colliders[i].motion, path + ".motion", check);
+  }
+  if (effect.stiffness_n) check.positive("effects.colliders.stiffness_n", *effect.stiffness_n);
+  check.positive("effects.colliders.stick_stiffness_n_per_m", effect.stick_stiffness_n_per_m);
+}
+
+}  // namespace slipstitch

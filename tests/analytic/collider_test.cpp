@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+#include "collide/rigid_body.h"
+#include "sim/prepare.h"
+#include "sim/simulation.h"
+#include "support/knit_scene.h"
+
+namespace slipstitch {
+namespace {
+
+constexpr double kG = 9.81;
+
+/// A straight yarn that lies along z on a slope falling towards +x.
+Scene yarn_on_slope(double angle, double friction) {
+  Scene scene;
+  const Vec3 normal(std::sin(angle), std::cos(angle), 0.0);
+  BareYarn yarn;
+  for (int i = 0; i < 6; ++i) yarn.points.push_back(scene.yarn.radius_m * normal + Vec3(0.0, 0.0, 4e-3 * i));
+  scene.yarns = {yarn};
+  scene.effects.inertia.emplace();
+  scene.effects.gravity.emplace();
+  scene.effects.stretch.emplace();
+  scene.effects.bending.emplace();
+  scene.effects.colliders.emplace().colliders = {{Plane{Vec3::Zero(), normal}, friction, {}}};
+  return scene;
+}
+
+/// Mean velocity down the slope after each of `steps` steps of 1/240 s.
+std::vector<double> velocities(const Scene& scene, double angle, int steps) {
+  EXPECT_TRUE(check(scene).empty());
+  Simulation sim(prepare(scene).model);
+  const Vec3 down(std::cos(angle), -std::sin(angle), 0.0);
+  const int nodes = sim.model().topology.num_nodes;
+  std::vector<double> result;
+  for (int k = 0; k < steps; ++k) {
+    EXPECT_TRUE(sim.step(1.0 / 240.0, {}, {}).accepted) << k;
+    double sum = 0.0;
+    for (int n = 0; n < nodes; ++n) sum += down.dot(sim.state().v.segment<3>(3 * n));
+    result.push_back(sum / nodes);
+  }
+  return result;
+}
+
+TEST(Slope, SticksBelowTheAngleOfFriction) {
+  const double mu = 0.3, angle = std::atan(mu) - 0.01;
+  const auto v = velocities(yarn_on_slope(angle, mu), angle, 240);
+  double way = 0.0;  // but for the first steps: what was not touched before slides until it is
+  for (std::size_t k = 10; k < v.size(); ++k) way += v[k] / 240.0;
+  EXPECT_LT(std::abs(way), 1e-6);
+  EXPECT_LT(std::abs(v.back()), 1e-6);
+}
+
+TEST(Slope, SlidesAboveItAsCoulombSays) {
+  for (double mu : {0.0, 0.3}) {
+    const double angle = std::atan(mu) + 0.05;
+    const auto v = velocities(yarn_on_slope(angle, mu), angle, 120);
+    const double acceleration = (v[119] - v[59]) * 240.0 / 60.0;
+    const double expected = kG * (std::sin(angle) - mu * std::cos(angle));
+    std::printf("friction %.1f: %.4f m/s^2 down the slope, expected %.4f\n", mu, acceleration, expected);
+    EXPECT_NEAR(acceleration, expected, 0.01 * expected);
+  }
+}
+
+/// Deepest overlap of any of the yarns with a body, at points 20 to a segment [m].
+double deepest(const Simulation& sim, const RigidBody& body) {
+  const Topology& topology = sim.model().topology;
+  double least = 1.0;
+  for (int i = 0; i + 1 < topology.num_visits(); ++i) {
+    const auto v = static_cast<std::size_t>(i);
+    if (topology.segment_kind[v] == SegmentKind::none) continue;
+    const Vec3 a = sim.state().q.segment<3>(3 * topology.visit_node[v]), b = sim.state().q.segment<3>(3 * topology.visit_node[v + 1]);
+    for (int k = 0; k <= 20; ++k) least = std::min(least, body.distance(a + k / 20.0 * (b - a)).phi);
+  }
+  return sim.model().yarn.radius_m - least;
+}
+
+Scene swatch_above(const Collider& collider) {
+  Scene scene = test::knit_scene("stockinette", 10, 10);
+  scene.knit->placement.origin_m = Vec3(-10.5e-3, 0.0, 10e-3);
+  scene.knit->placement.wale_direction = Vec3(0.0, 0.0, -1.0);
+  scene.effects.gravity.emplace();
+  test::use_demo_feel(scene.effects);
+  scene.effects.colliders.emplace().colliders = {collider};
+  return scene;
+}
+
+/// One step, or several in its place where it does not converge; `visit` sees every accepted one.
+void advance(Simulation& sim, double h, const std::function<void()>& visit, int cuts = 0) {
+  const StepReport report = sim.step(h, {}, {});
+  if (report.accepted) return visit();
+  ASSERT_LT(cuts, 4) << "t = " << sim.state().t << ": " << to_string(report.newton.status);
+  for (int half = 0; half < 2; ++half) advance(sim, 0.5 * h, visit, cuts + 1);
+}
+
+/// Steps for `duration`; no accepted step may leave yarn deeper in the body than a tenth of its radius.
+void expect_never_inside(Simulation& sim, const Collider& collider, double duration) {
+  RigidBody body(collider);
+  double worst = -1.0;
+  const double h = 1.0 / 240.0;
+  for (double t = h; t < duration + 0.5 * h; t += h) {
+    advance(sim, h, [&] {
+      body.move_to(sim.state().t);
+      worst = std::max(worst, deepest(sim, body));
+    });
+  }
+  std::printf("deepest overlap %.3f radii\n", worst / sim.model().yarn.radius_m);
+  EXPECT_GT(worst, 0.0);
+  EXPECT_LE(worst, 0.1 * sim.model().yarn.radius_m);
+}
+
+TEST(Ball, CarriesASwatchThatFallsOnIt) {
+  const Collider ball{Sphere{{0.0, -12e-3, 0.0}, 10e-3}, 0.3, {}};
+  const Scene scene = swatch_above(ball);
+  ASSERT_TRUE(check(scene).empty());
+  Simulation sim(prepare(scene).model);
+  expect_never_inside(sim, ball, 0.25);
+}
+
+TEST(Ball, LiftsASwatchThatIsHeldAtItsEdges) {
+  const Collider ball{Sphere{{0.0, -8e-3, 0.0}, 4e-3}, 0.3, {{0.0}, {0.2, {0.0, 6e-3, 0.0}}}};
+  Scene scene = swatch_above(ball);
+  scene.handles = {Handle{Edge::left, {}, false}, Handle{Edge::right, {}, false}};
+  ASSERT_TRUE(check(scene).empty());
+  Simulation sim(prepare(scene).model);
+  expect_never_inside(sim, ball, 0.2);
+  EXPECT_GT(sim.state().q(1 + 3 * sim.model().topology.stitches[45].node[0]), 1e-3);  // over the ball, whose top ends at y = 2 mm
+}
+
+}  // namespace
+}  // namespace slipstitch
