@@ -5,7 +5,8 @@
 
 namespace slipstitch {
 
-/// Terms may take in stencils for the move, without energy at q. Largest share <= a of the way from q to q + dq (full coordinates) that every term allows.
+/// Largest share <= a of the way from q to q + dq (full coordinates) that every term allows. Terms may take in stencils
+/// for the way, which carry no energy at q.
 inline double allowed_move(YarnForces& forces, const VecX& q, const VecX& dq, double a) {
   const auto limit = [&](auto& term) {
     if constexpr (WatchesMoves<std::decay_t<decltype(term)>>) term.watch(q, a * dq);
