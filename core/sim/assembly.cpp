@@ -217,15 +217,10 @@ double Assembly::value(const YarnForces& forces, const VecX& q) {
   return sum;
 }
 
-template <class Term>
-long Assembly::count_entries(const Term& term, const Pool& pool) const {
+long Assembly::count_entries(const Pool& pool) const {
   std::vector<char> entered(pattern_->row.size(), 0);
-  for (int k : pool.stencil) {
-    const std::vector<int> dofs = unknowns(map_, term.coords(k));
-    for (std::size_t c = 0; c < dofs.size(); ++c)
-      for (std::size_t r = c; r < dofs.size(); ++r)
-        entered[static_cast<std::size_t>(pattern_->slot(dofs[r], dofs[c]))] = 1;
-  }
+  for (int slot : pool.slots)
+    if (slot >= 0) entered[static_cast<std::size_t>(slot)] = 1;
   return std::count(entered.begin(), entered.end(), 1);
 }
 
@@ -233,12 +228,12 @@ EffectCosts Assembly::costs(const YarnForces& forces) const {
   EffectCosts costs;
   for_each_term(forces, [&](const auto& term, int i) {
     const Pool& pool = pools_[static_cast<std::size_t>(i)];
-    if (pool.stencil.empty()) return;
+    if (pool.stencil.empty() && pool.evaluations == 0) return;
     EffectCost& cost = costs[std::string(std::decay_t<decltype(term)>::kName)];
     cost.stencils = static_cast<long>(pool.stencil.size());
     cost.bytes = static_cast<long>((pool.stencil.size() + pool.dofs.size() + pool.slots.size()) * sizeof(int) +
                                    pool.stress.size() * sizeof(double));
-    cost.nonzeros = count_entries(term, pool);
+    cost.nonzeros = count_entries(pool);
     cost.evaluations = pool.evaluations;
   });
   return costs;

@@ -33,7 +33,7 @@ class Assembly {
   double scale() const { return scale_; }  // sum of |stencil energies| of the last value or derivatives
   /// Energy of each term at the last value or derivatives, in the order of YarnForces.
   const std::array<double, kNumTerms>& energies() const { return energies_; }
-  /// What the terms with stencils here took so far.
+  /// What the terms that have or had stencils here took so far; entries are counted in simple maps only.
   EffectCosts costs(const YarnForces& forces) const;
 
  private:
@@ -54,8 +54,7 @@ class Assembly {
   template <class Term>
   void add(const Term& term, Pool& pool, const VecX& q, HessianMode mode, VecX& g, SparseMatrix& h,
            double& energy);
-  template <class Term>
-  long count_entries(const Term& term, const Pool& pool) const;
+  long count_entries(const Pool& pool) const;
   template <class Term>
   void scatter_general(const Term& term, int k, const Vec<Term::kSize>& gl, const Mat<Term::kSize>& hl, VecX& g,
                        SparseMatrix& h) const;

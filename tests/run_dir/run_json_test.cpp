@@ -143,7 +143,7 @@ TEST(RunJson, BrokenTextIsRefusedWithTheKey) {
   json["effect_cost"]["stretch"]["bytes"] = "many";
   EXPECT_NE(summary_from_json(json.dump()).error.find("effect_cost"), std::string::npos);
   json = to_json(full_summary());
-  json["handles"][0]["reaction_n"] = {1.0, 2.0};
+  json["handles"][0]["reaction_n"] = {1.0, 2.0, 3.0, 4.0};
   EXPECT_NE(summary_from_json(json.dump()).error.find("handles"), std::string::npos);
   json = to_json(full_summary());
   json["status"] = "SUCCEEDED";
