@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "knit_helpers.h"
+#include "support/collider_shapes.h"
 
 namespace slipstitch {
 namespace {
@@ -41,11 +42,22 @@ Scene good_scene() {
   on.wind.emplace();
   on.plasticity.emplace();
   on.shrinkage.emplace().keyframes = {{0.0, 1.0}, {1.0, 0.9}};
+  on.self_collision.emplace();
+  on.colliders.emplace().colliders = {{Plane{}, 0.3, {{0.0}, {1.0, Vec3::UnitY()}}},
+                                      {Sphere{Vec3::Zero(), 0.1}, 0.0, {}},
+                                      {Capsule{Vec3::Zero(), Vec3::UnitX(), 0.1}, 0.3, {}},
+                                      {Box{Vec3::Zero(), Vec3::Ones(), Vec3::Zero()}, 0.3, {}},
+                                      {test::box_mesh(Vec3::Zero(), Vec3::Ones()), 0.3, {}}};
   scene.handles = {{Corner::top_left, {{0.0, {}, {}}, {1.0, {0, 1, 0}, {}}}, false}, {YarnPoint{2, -1}, {}, false}};
   for (Keyframe& key : scene.handles[0].motion) key.rotation_rad = key.translation_m = Vec3::Zero();
   scene.loads = {{StitchRange{1, 3, 1, 4}, {0, -1, 0}}};
   scene.initial_velocities = {{AllNodes{}, {1, 0, 0}}};
   return scene;
+}
+
+template <class S>
+S& body(Scene& scene, std::size_t i) {
+  return std::get<S>(scene.effects.colliders->colliders[i].shape);
 }
 
 struct Bad {
@@ -159,6 +171,23 @@ const std::vector<Bad>& bad_scenes() {
       {"effects.damping.bending_nm2s", [](Scene& s) { s.effects.damping->bending_nm2s = kInf; }},
       {"effects.damping.wrapping_ns", [](Scene& s) { s.effects.damping->wrapping_ns = -1.0; }},
       {"effects.damping.sliding_ns_per_m", [](Scene& s) { s.effects.damping->sliding_ns_per_m = -1.0; }},
+      {"effects.self_collision.stiffness_n", [](Scene& s) { s.effects.self_collision->stiffness_n = 0.0; }},
+      {"effects.colliders.colliders", [](Scene& s) { s.effects.colliders->colliders.clear(); }},
+      {"effects.colliders.stiffness_n", [](Scene& s) { s.effects.colliders->stiffness_n = -1.0; }},
+      {"effects.colliders.stick_stiffness_n_per_m", [](Scene& s) { s.effects.colliders->stick_stiffness_n_per_m = kInf; }},
+      {"effects.colliders.colliders[0].plane.normal", [](Scene& s) { body<Plane>(s, 0).normal.setZero(); }},
+      {"effects.colliders.colliders[0].friction_coefficient", [](Scene& s) { s.effects.colliders->colliders[0].friction = -0.1; }},
+      {"effects.colliders.colliders[0].motion[1].t", [](Scene& s) { s.effects.colliders->colliders[0].motion[1].t = 0.0; }},
+      {"effects.colliders.colliders[1].sphere.radius_m", [](Scene& s) { body<Sphere>(s, 1).radius = kNan; }},
+      {"effects.colliders.colliders[2].capsule.b_m", [](Scene& s) { body<Capsule>(s, 2).b.setZero(); }},
+      {"effects.colliders.colliders[2].capsule.radius_m", [](Scene& s) { body<Capsule>(s, 2).radius = 0.0; }},
+      {"effects.colliders.colliders[3].box.half_size_m", [](Scene& s) { body<Box>(s, 3).half_size.z() = 0.0; }},
+      {"effects.colliders.colliders[4].mesh.triangles", [](Scene& s) { body<TriangleMesh>(s, 4).triangles.pop_back(); }},
+      {"effects.colliders.colliders[4].mesh.triangles[2]", [](Scene& s) { body<TriangleMesh>(s, 4).triangles[0][2] = 8; }},
+      {"effects.colliders.colliders[4].mesh.triangles",
+       [](Scene& s) {
+         for (auto& triangle : body<TriangleMesh>(s, 4).triangles) std::swap(triangle[0], triangle[1]);  // inside out
+       }},
       {"effects.air_drag.linear_ns_per_m2", [](Scene& s) { s.effects.air_drag->linear_ns_per_m2 = -1.0; }},
       {"effects.air_drag.quadratic_ns2_per_m3", [](Scene& s) { s.effects.air_drag->quadratic_ns2_per_m3 = kNan; }},
       {"effects.air_drag", [](Scene& s) { s.effects.inertia.reset(); }},

@@ -159,6 +159,8 @@ TEST(Convert, AnEmptyMessageHasTheDefaultsOfTheCore) {
   on.wind.emplace();
   on.shrinkage.emplace();
   on.plasticity.emplace();
+  on.colliders.emplace();
+  on.self_collision.emplace();
   EXPECT_EQ(difference(there_and_back(all_on), message_from_scene(expected)), "");
 }
 
