@@ -68,6 +68,7 @@ TEST_F(SubmitTest, CancelsARunningJobAndKeepsItsFrames) {
 
 TEST_F(SubmitTest, CancelsAQueuedJob) {
   const std::string running = must_create(endless_swing()).name();
+  wait_for_frames(running, 1);
   const std::string queued = must_create(endless_swing()).name();
   ASSERT_TRUE(cancel(queued).ok());
   EXPECT_EQ(wait_for_end(queued).state(), v1::SimJob::CANCELLED);
