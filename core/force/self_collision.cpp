@@ -171,7 +171,7 @@ void SelfCollision::begin_step(const StepContext& step) {
   pairs_.clear();
   pair_index_.clear();
   ++revision_;
-  watch(step.start.q, VecX::Zero(step.start.q.size()));
+  watch(step.start.q, step.start.v, 0.0);
 }
 
 Eigen::AlignedBox3d SelfCollision::swept_box(const Segment& segment, const VecX& q, const VecX& dq) const {
@@ -186,8 +186,9 @@ Eigen::AlignedBox3d SelfCollision::swept_box(const Segment& segment, const VecX&
   return box;
 }
 
-void SelfCollision::watch(const VecX& q, const VecX& dq) {
+void SelfCollision::watch(const VecX& q, const VecX& way, double share) {
   if (segments_.empty()) return;
+  const VecX dq = share * way;
   std::vector<Eigen::AlignedBox3d> boxes;
   std::vector<int> moving;
   for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
@@ -251,7 +252,7 @@ bool SelfCollision::push_apart(const Pair& pair, VecX& q) const {
 
 void SelfCollision::push_out(const VecX& q0, VecX& q) {
   if (segments_.empty() || q0 == q) return;
-  watch(q0, q - q0);
+  watch(q0, q - q0, 1.0);
   for (int i = 0; i < kMaxPushes; ++i) {
     bool moved = false;
     for (const Pair& pair : pairs_) moved = push_apart(pair, q) || moved;

@@ -29,8 +29,8 @@ class SelfCollision {
   void begin_step(const StepContext& step);
 
   long revision() const { return revision_; }
-  /// Takes in as stencils the pairs that the way from q to q + dq could bring together. They carry no energy at q.
-  void watch(const VecX& q, const VecX& dq);
+  /// Takes in as stencils the pairs that the way from q to q + a dq could bring together. They carry no energy at q.
+  void watch(const VecX& q, const VecX& dq, double a);
   /// Largest share <= a of that way on which nothing passes through. Only after `watch` of the same way.
   double max_step(const VecX& q, const VecX& dq, double a) const;
   /// Moves yarn out of yarn that handles have moved from q0 into it, as far as handles allow.

@@ -51,8 +51,8 @@ concept HasChangingStencils = requires(const T& cterm) {
 
 /// A term that takes in stencils for a move before it is made.
 template <class T>
-concept WatchesMoves = requires(T& term, const VecX& q) {
-  { term.watch(q, q) } -> std::same_as<void>;
+concept WatchesMoves = requires(T& term, const VecX& q, double a) {
+  { term.watch(q, q, a) } -> std::same_as<void>;  // from q by a dq
 };
 
 /// A term that some moves would carry into states it forbids, or past them.

@@ -9,7 +9,7 @@ namespace slipstitch {
 /// for the way, which carry no energy at q.
 inline double allowed_move(YarnForces& forces, const VecX& q, const VecX& dq, double a) {
   const auto limit = [&](auto& term) {
-    if constexpr (WatchesMoves<std::decay_t<decltype(term)>>) term.watch(q, a * dq);
+    if constexpr (WatchesMoves<std::decay_t<decltype(term)>>) term.watch(q, dq, a);
     if constexpr (LimitsMoves<std::decay_t<decltype(term)>>) a = term.max_step(q, dq, a);
   };
   std::apply([&](auto&... term) { (limit(term), ...); }, forces);

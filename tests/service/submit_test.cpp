@@ -104,6 +104,7 @@ TEST_F(SubmitTest, GoesOnWithoutAnyClient) {
 
 TEST_F(SubmitTest, ADeadlineEndsTheStreamNotTheJob) {
   const std::string name = must_create(endless_swing()).name();
+  wait_for_frames(name, 1);
   v1::WatchSimJobRequest request;
   request.set_name(name);
   grpc::ClientContext context;
