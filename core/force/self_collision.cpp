@@ -171,7 +171,7 @@ void SelfCollision::begin_step(const StepContext& step) {
   pairs_.clear();
   pair_index_.clear();
   ++revision_;
-  watch(step.start.q, step.start.v, 0.0);
+  watch(step.start.q, step.start.q, 0.0);
 }
 
 Eigen::AlignedBox3d SelfCollision::swept_box(const Segment& segment, const VecX& q, const VecX& dq) const {
