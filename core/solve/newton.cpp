@@ -10,6 +10,7 @@ namespace slipstitch {
 namespace {
 
 constexpr double kNearby = 30.0;        // steps up to this many tolerances leave the last factor a good preconditioner
+constexpr double kFarBelow = 1e-6;      // of the tolerance: a step that no search can tell from round-off, and need not take
 constexpr int kMaxFlatIterations = 12;  // iterations without visible decrease before the search counts as stalled
 
 }  // namespace
@@ -48,6 +49,10 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
       if (!watchdog.watching()) return done(NewtonStatus::linear_failure);
       if (watchdog.turn_back(objective, x, report) == Search::failed) return done(NewtonStatus::stalled);
       continue;
+    }
+    report.max_step = objective.step_size(point.step);
+    if (report.max_step <= kFarBelow * options.step_tolerance && !watchdog.watching() && point.is_newton_step) {
+      return done(NewtonStatus::converged);
     }
     const Search search = watchdog.advance(objective, x, point, report);
     report.max_step = objective.step_size(point.step);

@@ -194,5 +194,20 @@ TEST(Run, StopsWhereTheKnitsYarnIsPulledOutOfAStitch) {
   EXPECT_NE(summary.message.find("the contact at course 4, wale 4"), std::string::npos) << summary.message;
 }
 
+TEST(Run, StaysAtRestOnceItIsThere) {
+  Scene scene = hanging_yarn();
+  scene.handles.clear();
+  scene.effects.gravity.reset();
+  scene.yarns[0].prestretch = 1.1;
+  scene.effects.damping.emplace().stretch_ns = 1e-2;
+  scene.duration_s = 0.2;
+  scene.frames_per_s = 10.0;
+  scene.numerics = FixedNumerics{.time_step_s = 1e-3};
+  const RunSummary summary = run(scene, 1, {});
+  EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;
+  EXPECT_EQ(summary.rejected_steps, 0);
+  EXPECT_LE(summary.newton_iterations, 3 * summary.steps);
+}
+
 }  // namespace
 }  // namespace slipstitch::testing
