@@ -66,6 +66,40 @@ TEST(Slope, SlidesAboveItAsCoulombSays) {
   }
 }
 
+/// How far a swatch goes down a plane that is tilted by `angle` between 0.15 s, when it has settled, and 0.25 s [m].
+/// Without wrapping it stays flat; one that curls gets up on its edges and topples.
+double way_of_swatch(double angle, double friction) {
+  Scene scene = test::knit_scene("stockinette", 5, 5);
+  test::use_demo_feel(scene.effects);
+  scene.effects.wrapping.reset();
+  scene.effects.gravity.emplace().acceleration_m_per_s2 = kG * Vec3(std::sin(angle), 0.0, -std::cos(angle));
+  scene.effects.colliders.emplace().colliders = {{Plane{-scene.yarn.radius_m * Vec3::UnitZ(), Vec3::UnitZ()}, friction, {}}};
+  EXPECT_TRUE(check(scene).empty());
+  Simulation sim(prepare(scene).model);
+  const int nodes = sim.model().topology.num_nodes;
+  const auto place = [&] {
+    double sum = 0.0;
+    for (int n = 0; n < nodes; ++n) sum += sim.state().q[3 * n];
+    return sum / nodes;
+  };
+  double settled = 0.0;
+  for (int step = 0; step < 60; ++step) {
+    if (step == 36) settled = place();
+    EXPECT_TRUE(sim.step(1.0 / 240.0, {}, {}).accepted) << step;
+  }
+  return place() - settled;
+}
+
+TEST(Slope, CarriesASwatchUpToTheAngleOfFriction) {
+  const double mu = 0.3, limit = std::atan(mu);
+  const double sticks = way_of_swatch(limit - 0.05, mu), slides = way_of_swatch(limit + 0.05, mu);
+  const double expected = 0.5 * kG * (std::sin(limit + 0.05) - mu * std::cos(limit + 0.05)) * (0.25 * 0.25 - 0.15 * 0.15);
+  std::printf("%.3f mm below the angle, %.2f mm above it (a block: %.2f mm)\n", 1e3 * sticks, 1e3 * slides, 1e3 * expected);
+  EXPECT_LT(std::abs(sticks), 0.02 * slides);
+  EXPECT_GT(slides, 0.8 * expected);
+  EXPECT_LT(slides, 1.2 * expected);
+}
+
 /// Deepest overlap of any of the yarns with a body, at points 20 to a segment [m].
 double deepest(const Simulation& sim, const RigidBody& body) {
   const Topology& topology = sim.model().topology;

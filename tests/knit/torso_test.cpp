@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "collide/rigid_body.h"
+#include "sim/prepare.h"
+#include "sim/simulation.h"
+#include "support/knit_scene.h"
+
+namespace slipstitch {
+namespace {
+
+struct Extent {
+  Vec3 low, high;
+};
+
+Extent extent_of(const VecX& q, int nodes) {
+  const Eigen::Map<const Eigen::Matrix3Xd> x(q.data(), 3, nodes);
+  return {x.rowwise().minCoeff(), x.rowwise().maxCoeff()};
+}
+
+/// A tube held by its top, and a capsule a little too thick for it that comes up through it from below.
+TEST(Torso, GoesIntoATubeThatIsTooNarrowForIt) {
+  Scene scene = test::knit_scene("stockinette", 8, 16);
+  scene.knit->pattern.in_the_round = true;
+  test::use_demo_feel(scene.effects);
+  scene.effects.gravity.emplace();
+  scene.handles = {Handle{Edge::top, {}, false}};
+  const Model empty = prepare(scene).model;
+  double inner = 1.0;  // [m] clear radius inside the stitches
+  Vec3 axis = Vec3::Zero();
+  int stitch_nodes = 0;
+  for (const Stitch& stitch : empty.topology.stitches)
+    for (int node : stitch.node) {
+      axis += empty.start_q.segment<3>(3 * node);
+      ++stitch_nodes;
+    }
+  axis /= stitch_nodes;
+  for (const Stitch& stitch : empty.topology.stitches)
+    for (int node : stitch.node) {
+      const Vec3 d = empty.start_q.segment<3>(3 * node) - axis;
+      inner = std::min(inner, Vec3(d.x(), 0.0, d.z()).norm());
+    }
+  const double radius = 1.1 * inner, top = extent_of(empty.start_q, empty.topology.num_nodes).low.y() - 1e-3;
+  const Vec3 up(0.0, 1.0, 0.0), tip(axis.x(), top - radius, axis.z());
+  const double rise = 0.6 * (axis.y() - top) * 2.0;
+  const Collider torso{Capsule{tip, tip - 0.1 * up, radius}, 0.1, {{0.0}, {0.25, rise * up}}};
+  scene.effects.colliders.emplace().colliders = {torso};
+  ASSERT_TRUE(check(scene).empty());
+
+  Simulation sim(prepare(scene).model);
+  RigidBody body(torso);
+  double deepest = 0.0;
+  const double h = 1.0 / 240.0;
+  for (int step = 1; step <= 60; ++step) {
+    const StepReport report = sim.step(h, {}, {});
+    ASSERT_TRUE(report.accepted) << "step " << step << ": " << to_string(report.newton.status);
+    body.move_to(sim.state().t);
+    for (int n = 0; n < sim.model().topology.num_nodes; ++n)
+      deepest = std::max(deepest, sim.model().yarn.radius_m - body.distance(sim.state().q.segment<3>(3 * n)).phi);
+  }
+  int around = 0;  // stitches beside the cylinder: the tube is on, not pushed up ahead of it
+  for (const Stitch& stitch : sim.model().topology.stitches) {
+    const Vec3 in_body = body.to_body(sim.state().q.segment<3>(3 * stitch.node[0]));
+    around += in_body.y() < tip.y();
+  }
+  std::printf("deepest %.3f radii; %d of %zu stitches around the cylinder\n", deepest / sim.model().yarn.radius_m, around,
+              sim.model().topology.stitches.size());
+  EXPECT_LE(deepest, 0.1 * sim.model().yarn.radius_m);
+  EXPECT_GT(around, 16);
+}
+
+}  // namespace
+}  // namespace slipstitch
