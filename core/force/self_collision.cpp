@@ -75,6 +75,7 @@ SelfCollision::SelfCollision(const Model& model) {
     const int x0 = position_coord(topology, i), x1 = position_coord(topology, i + 1);
     Segment segment{{x0, x0 + 1, x0 + 2, x1, x1 + 1, x1 + 2}};
     for (std::size_t end : {0, 1}) segment.held[end] = held[static_cast<std::size_t>(topology.visit_node[v + end])] != 0;
+    segment.pieces = 1 + static_cast<int>(std::ceil(rest_length(topology, i) / radius_));
     segments_.push_back(segment);
   });
   find_neighbours(topology);
@@ -103,11 +104,6 @@ double SelfCollision::contact_distance(const Segment& a, const Segment& b) const
 }
 
 double SelfCollision::depth(const Pair& pair) const { return kDeepest * std::min(pair.distance, radius_); }
-
-int SelfCollision::pieces(const Segment& segment, const VecX& q) const {
-  const double length = (q.segment<3>(segment.coords[3]) - q.segment<3>(segment.coords[0])).norm();
-  return std::max(1, static_cast<int>(std::ceil(length / radius_)));
-}
 
 template <class F>
 void SelfCollision::for_each_point_pair(const Pair& pair, F&& f) const {
@@ -158,11 +154,11 @@ void SelfCollision::convex_hessian(int k, const Vec<12>& q, Mat<12>& hess) const
   });
 }
 
-bool SelfCollision::add_pair(int a, int b, const VecX& q) {
+bool SelfCollision::add_pair(int a, int b) {
   const Segment &sa = segments_[static_cast<std::size_t>(a)], &sb = segments_[static_cast<std::size_t>(b)];
   const long key = static_cast<long>(a) * static_cast<long>(segments_.size()) + b;
   if (!pair_index_.emplace(key, size()).second) return false;
-  pairs_.push_back({a, b, pieces(sa, q), pieces(sb, q), contact_distance(sa, sb)});
+  pairs_.push_back({a, b, sa.pieces, sb.pieces, contact_distance(sa, sb)});
   return true;
 }
 
@@ -202,7 +198,7 @@ void SelfCollision::watch(const VecX& q, const VecX& way, double share) {
     const bool held = sa.held[0] && sa.held[1] && sb.held[0] && sb.held[1];
     if (held || neighbours(sa, sb)) return;
     const double reach = contact_distance(sa, sb) + kWatched * radius_ + approach(sa.coords, sb.coords, dq);
-    if (distance(sa.coords, sb.coords, q) <= reach) add_pair(a, b, q);
+    if (distance(sa.coords, sb.coords, q) <= reach) add_pair(a, b);
   };
   if (!moving.empty() && moving.size() <= kFewMoving) {
     for (int a : moving)

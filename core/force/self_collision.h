@@ -10,8 +10,9 @@
 namespace slipstitch {
 
 /// Yarn against yarn that is no neighbour: gap_energy() of every two points, one on each of two segments, at most a
-/// radius apart along them, with gap = |x - y| - d. A sum over both yarns, after Kaldor, James and Marschner, "Simulating
-/// knitted cloth at the yarn level", ACM TOG 27(3), 2008, 4.3. Points this close leave no hole for yarn to pass through.
+/// radius apart along them at rest, with gap = |x - y| - d. A sum over both yarns, after Kaldor, James and Marschner,
+/// "Simulating knitted cloth at the yarn level", ACM TOG 27(3), 2008, 4.3. Points up to 2.6 radii apart, as on a segment
+/// that has taken in yarn, leave no hole for yarn to pass through.
 ///
 /// d = 2R, but no more than the distance of the two segments at the start of the scene: a relaxed fabric feels nothing,
 /// though its drawn yarns overlap. Segments that share a node, or whose nodes a segment joins, never touch here: their
@@ -39,6 +40,7 @@ class SelfCollision {
  private:
   struct Segment {
     std::array<int, 6> coords;  // x0, x1
+    int pieces = 1;              // with a point in the middle of each; for ever, or a rest could become forbidden
     std::array<bool, 2> held{};  // by handles, at either end
   };
   struct Pair {
@@ -49,10 +51,9 @@ class SelfCollision {
   void find_neighbours(const Topology& topology);
   bool neighbours(const Segment& a, const Segment& b) const;
   double contact_distance(const Segment& a, const Segment& b) const;
-  int pieces(const Segment& segment, const VecX& q) const;
   Eigen::AlignedBox3d swept_box(const Segment& segment, const VecX& q, const VecX& dq) const;
   bool push_apart(const Pair& pair, VecX& q) const;
-  bool add_pair(int a, int b, const VecX& q);
+  bool add_pair(int a, int b);
   template <class F>
   void for_each_point_pair(const Pair& pair, F&& f) const;
   double room(const Pair& pair) const { return pair.distance - depth(pair); }

@@ -95,9 +95,8 @@ Scene curling_swatch() {
   return scene;
 }
 
-// Points a radius apart on yarns a diameter thick leave 1.76 radii between straight centrelines that cross between them,
-// and less at corners.
-constexpr double kLeast = 0.8;
+// Points a radius apart on yarns a diameter thick leave 1.76 radii between centrelines that cross between them.
+constexpr double kLeast = 0.88;
 
 TEST(SelfCollision, KeepsASwatchThatRollsUpOutOfItself) {
   Scene scene = curling_swatch();
