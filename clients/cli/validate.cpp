@@ -8,6 +8,7 @@
 #include "cli/exit_code.h"
 #include "cli/options.h"
 #include "cli/screen/text.h"
+#include "model/remarks.h"
 
 namespace slipstitch {
 namespace {
@@ -19,7 +20,7 @@ struct ValidateOptions {
   bool json = false;
 };
 
-Json to_json(const std::string& scene, const Estimate& estimate) {
+Json to_json(const std::string& scene, const Estimate& estimate, const std::vector<std::string>& remarks) {
   const auto& memory = estimate.memory_bytes;
   const auto& wall = estimate.wall_s;
   return {{"valid", true},
@@ -32,7 +33,8 @@ Json to_json(const std::string& scene, const Estimate& estimate) {
           {"least_steps", estimate.least_steps},
           {"hessian_nonzeros", estimate.hessian_nonzeros},
           {"estimated_memory_bytes", memory ? Json(static_cast<long>(*memory)) : Json()},
-          {"estimated_wall_s", wall ? Json(*wall) : Json()}};
+          {"estimated_wall_s", wall ? Json(*wall) : Json()},
+          {"remarks", remarks}};
 }
 
 std::string to_text(const std::string& scene, const Estimate& estimate) {
@@ -61,10 +63,12 @@ int validate(const ValidateOptions& options) {
     return kExitFailed;
   }
   const std::string& name = loaded->scene.name;
+  const std::vector<std::string> remarks = remarks_on(loaded->scene);
   if (options.json) {
-    std::cout << to_json(name, found).dump(2) << std::endl;
+    std::cout << to_json(name, found, remarks).dump(2) << std::endl;
   } else {
     std::cout << to_text(name.empty() ? options.scene.scene : name, found) << std::flush;
+    for (const std::string& remark : remarks) std::cout << "  note       " << remark << '\n';
   }
   return kExitDone;
 }

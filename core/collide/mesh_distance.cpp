@@ -45,8 +45,7 @@ struct Closest {
 
 }  // namespace
 
-MeshDistance::MeshDistance(const TriangleMesh& mesh)
-    : mesh_(mesh), vertex_normal_(mesh.vertices.size(), Vec3::Zero()) {
+MeshDistance::MeshDistance(const TriangleMesh& mesh) : mesh_(mesh), vertex_normal_(mesh.vertices.size(), Vec3::Zero()) {
   std::map<std::array<int, 2>, Vec3> edges;
   std::vector<int> triangles;
   std::vector<Eigen::AlignedBox3d> boxes;
@@ -91,17 +90,31 @@ Distance MeshDistance::operator()(const Vec3& p) const {
   };
   const auto at_edge = [&](int v, int w) {
     pseudo = edge_normal(v, w);
-    const Vec3 along = (mesh_.vertices[static_cast<std::size_t>(w)] - mesh_.vertices[static_cast<std::size_t>(v)]).normalized();
+    const Vec3 along =
+        (mesh_.vertices[static_cast<std::size_t>(w)] - mesh_.vertices[static_cast<std::size_t>(v)]).normalized();
     round = Mat3::Identity() - along * along.transpose();
   };
   switch (closest.where.feature) {
-    case Feature::a: at_corner(a); break;
-    case Feature::b: at_corner(b); break;
-    case Feature::c: at_corner(c); break;
-    case Feature::ab: at_edge(a, b); break;
-    case Feature::bc: at_edge(b, c); break;
-    case Feature::ca: at_edge(c, a); break;
-    case Feature::face: break;
+    case Feature::a:
+      at_corner(a);
+      break;
+    case Feature::b:
+      at_corner(b);
+      break;
+    case Feature::c:
+      at_corner(c);
+      break;
+    case Feature::ab:
+      at_edge(a, b);
+      break;
+    case Feature::bc:
+      at_edge(b, c);
+      break;
+    case Feature::ca:
+      at_edge(c, a);
+      break;
+    case Feature::face:
+      break;
   }
   const double sign = d.dot(pseudo) < 0.0 ? -1.0 : 1.0;
   if (!(length > 0.0)) return {0.0, pseudo.normalized(), Mat3::Zero()};

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "collide/overlaps.h"
 
-#include <unsupported/Eigen/BVH>
-
 #include <numeric>
+#include <unsupported/Eigen/BVH>
 #include <vector>
 
 namespace slipstitch {

@@ -7,10 +7,14 @@ namespace {
 using Shapes = std::variant<Plane, Sphere, Capsule, Box, MeshDistance>;
 
 Shapes ready(const Shape& shape) {
-  return std::visit([](const auto& s) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(s)>, TriangleMesh>) return Shapes(MeshDistance(s));
-    else return Shapes(s);
-  }, shape);
+  return std::visit(
+      [](const auto& s) {
+        if constexpr (std::is_same_v<std::decay_t<decltype(s)>, TriangleMesh>)
+          return Shapes(MeshDistance(s));
+        else
+          return Shapes(s);
+      },
+      shape);
 }
 
 struct To {

@@ -60,8 +60,10 @@ void ColliderContact::begin_step(const StepContext& step) {
     const double reach = kReach * radius_ + kReachOfMove * step.h * place_of(samples_[i], step.start.v).norm();
     for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
       const double gap = body(b).distance(start_[i]).phi - radius_;
-      if (gap <= reach) pairs.push_back({s, b});
-      else clear_[i] = std::min(clear_[i], gap);
+      if (gap <= reach)
+        pairs.push_back({s, b});
+      else
+        clear_[i] = std::min(clear_[i], gap);
     }
   }
   if (pairs == pairs_) return;

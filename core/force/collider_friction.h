@@ -6,8 +6,9 @@
 namespace slipstitch {
 
 /// Stick-slip on rigid bodies: with s the way that a touching point has gone from its anchor, along the surface,
-/// V = 1/2 k_t s^2 while k_t s <= mu F_n, else mu F_n s - (mu F_n)^2 / (2 k_t). C1 and convex. Normal force, surface and
-/// anchor are those of the start of the step; the anchor rides on the body and is dragged behind a point that slips.
+/// V = 1/2 k_t s^2 while k_t s <= mu F_n, else mu F_n s - (mu F_n)^2 / (2 k_t). C1 and convex. Normal force, surface
+/// and anchor are those of the start of the step; the anchor rides on the body and is dragged behind a point that
+/// slips.
 class ColliderFriction {
  public:
   static constexpr int kSize = 6;

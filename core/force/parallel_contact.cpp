@@ -52,7 +52,8 @@ double parallel_contact_barrier(double k_c, double L, double d, const Vec<2>& q,
 double ParallelContact::add_barrier(std::size_t i, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
   Vec<kSize> force;
   Mat<kSize> stiffness;
-  const double v = parallel_contact_barrier(k_c_, rest_[i], distance_[i], q, g ? &force : nullptr, hess ? &stiffness : nullptr);
+  const double v =
+      parallel_contact_barrier(k_c_, rest_[i], distance_[i], q, g ? &force : nullptr, hess ? &stiffness : nullptr);
   if (g) *g += force;
   if (hess) *hess += stiffness;
   return v;

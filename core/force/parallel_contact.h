@@ -13,8 +13,9 @@ namespace slipstitch {
 /// C1: the Hessian jumps at D = d.
 double parallel_contact_energy(double k_c, double L, double d, const Vec<2>& q, Vec<2>* g, Mat<2>* hess);
 
-/// V = -k_c L d^2 (D/b - 1)^2 ln(D/b) where D < b = d/2, else 0; infinite at D <= 0. C2. The energy above gives way at a
-/// tension of k_c L d, 1.3 N in the head of a stitch of the demo yarn; two contacts are never in one place, whatever pulls.
+/// V = -k_c L d^2 (D/b - 1)^2 ln(D/b) where D < b = d/2, else 0; infinite at D <= 0. C2. The energy above gives way at
+/// a tension of k_c L d, 1.3 N in the head of a stitch of the demo yarn; two contacts are never in one place, whatever
+/// pulls.
 double parallel_contact_barrier(double k_c, double L, double d, const Vec<2>& q, Vec<2>* g, Mat<2>* hess);
 
 /// Keeps neighbouring contacts of one yarn apart: free segments between a contact or guide and the next node of the

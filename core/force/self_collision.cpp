@@ -12,12 +12,12 @@
 namespace slipstitch {
 namespace {
 
-constexpr double kStiffness = 1e-3;    // of EA
-constexpr double kDeepest = 0.1;       // overlap, of d and at most of R
-constexpr double kWatched = 0.5;       // radii beyond d from which pairs are stencils
+constexpr double kStiffness = 1e-3;  // of EA
+constexpr double kDeepest = 0.1;     // overlap, of d and at most of R
+constexpr double kWatched = 0.5;     // radii beyond d from which pairs are stencils
 constexpr int kMaxPushes = 100;
 constexpr std::size_t kFewMoving = 16;  // segments for which no tree is worth building
-constexpr double kKeep = 0.1;          // share of the way to the deepest overlap that one Newton step leaves
+constexpr double kKeep = 0.1;           // share of the way to the deepest overlap that one Newton step leaves
 
 Vec3 at(const std::array<int, 6>& coords, double share, const VecX& q) {
   return (1.0 - share) * q.segment<3>(coords[0]) + share * q.segment<3>(coords[3]);
@@ -34,7 +34,8 @@ double approach(const std::array<int, 6>& a, const std::array<int, 6>& b, const 
   double most = 0.0;
   for (int i : {0, 3})
     for (int j : {0, 3})
-      most = std::max(most, (dq.segment<3>(a[static_cast<std::size_t>(i)]) - dq.segment<3>(b[static_cast<std::size_t>(j)])).norm());
+      most = std::max(
+          most, (dq.segment<3>(a[static_cast<std::size_t>(i)]) - dq.segment<3>(b[static_cast<std::size_t>(j)])).norm());
   return most;
 }
 
@@ -74,7 +75,8 @@ SelfCollision::SelfCollision(const Model& model) {
     const auto v = static_cast<std::size_t>(i);
     const int x0 = position_coord(topology, i), x1 = position_coord(topology, i + 1);
     Segment segment{{x0, x0 + 1, x0 + 2, x1, x1 + 1, x1 + 2}};
-    for (std::size_t end : {0, 1}) segment.held[end] = held[static_cast<std::size_t>(topology.visit_node[v + end])] != 0;
+    for (std::size_t end : {0, 1})
+      segment.held[end] = held[static_cast<std::size_t>(topology.visit_node[v + end])] != 0;
     segment.pieces = 1 + static_cast<int>(std::ceil(rest_length(topology, i) / radius_));
     segments_.push_back(segment);
   });
@@ -95,7 +97,9 @@ void SelfCollision::find_neighbours(const Topology& topology) {
 bool SelfCollision::neighbours(const Segment& a, const Segment& b) const {
   for (int i : {a.coords[0] / 3, a.coords[3] / 3})
     for (int j : {b.coords[0] / 3, b.coords[3] / 3})
-      if (std::binary_search(joined_[static_cast<std::size_t>(i)].begin(), joined_[static_cast<std::size_t>(i)].end(), j)) return true;
+      if (std::binary_search(joined_[static_cast<std::size_t>(i)].begin(), joined_[static_cast<std::size_t>(i)].end(),
+                             j))
+        return true;
   return false;
 }
 
@@ -137,7 +141,8 @@ double SelfCollision::eval(int k, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) c
     const Vec3 n = p / length;
     if (g)
       for (int i = 0; i < 4; ++i) g->segment<3>(3 * i) += w[static_cast<std::size_t>(i)] * e.slope * n;
-    if (hess) spread(w, (e.curvature - e.slope / length) * n * n.transpose() + e.slope / length * Mat3::Identity(), *hess);
+    if (hess)
+      spread(w, (e.curvature - e.slope / length) * n * n.transpose() + e.slope / length * Mat3::Identity(), *hess);
   });
   return sum;
 }
@@ -190,7 +195,8 @@ void SelfCollision::watch(const VecX& q, const VecX& way, double share) {
   for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
     const Segment& segment = segments_[static_cast<std::size_t>(i)];
     boxes.push_back(swept_box(segment, q, dq));
-    if (!dq.segment<3>(segment.coords[0]).isZero(0.0) || !dq.segment<3>(segment.coords[3]).isZero(0.0)) moving.push_back(i);
+    if (!dq.segment<3>(segment.coords[0]).isZero(0.0) || !dq.segment<3>(segment.coords[3]).isZero(0.0))
+      moving.push_back(i);
   }
   const auto before = pairs_.size();
   const auto consider = [&](int a, int b) {
@@ -213,7 +219,8 @@ void SelfCollision::watch(const VecX& q, const VecX& way, double share) {
 
 double SelfCollision::max_step(const VecX& q, const VecX& dq, double a) const {
   for (const Pair& pair : pairs_) {
-    const auto &ca = segments_[static_cast<std::size_t>(pair.a)].coords, &cb = segments_[static_cast<std::size_t>(pair.b)].coords;
+    const auto &ca = segments_[static_cast<std::size_t>(pair.a)].coords,
+               &cb = segments_[static_cast<std::size_t>(pair.b)].coords;
     const double way = a * approach(ca, cb, dq);
     if (!(way > 0.0) || distance(ca, cb, q) - way > pair.distance) continue;
     for_each_point_pair(pair, [&](const std::array<double, 4>& w) {

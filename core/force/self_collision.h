@@ -11,8 +11,8 @@ namespace slipstitch {
 
 /// Yarn against yarn that is no neighbour: gap_energy() of every two points, one on each of two segments, at most a
 /// radius apart along them at rest, with gap = |x - y| - d. A sum over both yarns, after Kaldor, James and Marschner,
-/// "Simulating knitted cloth at the yarn level", ACM TOG 27(3), 2008, 4.3. Points up to 2.6 radii apart, as on a segment
-/// that has taken in yarn, leave no hole for yarn to pass through.
+/// "Simulating knitted cloth at the yarn level", ACM TOG 27(3), 2008, 4.3. Points up to 2.6 radii apart, as on a
+/// segment that has taken in yarn, leave no hole for yarn to pass through.
 ///
 /// d = 2R, but no more than the distance of the two segments at the start of the scene: a relaxed fabric feels nothing,
 /// though its drawn yarns overlap. Segments that share a node, or whose nodes a segment joins, never touch here: their
@@ -39,7 +39,7 @@ class SelfCollision {
 
  private:
   struct Segment {
-    std::array<int, 6> coords;  // x0, x1
+    std::array<int, 6> coords;   // x0, x1
     int pieces = 1;              // with a point in the middle of each; for ever, or a rest could become forbidden
     std::array<bool, 2> held{};  // by handles, at either end
   };

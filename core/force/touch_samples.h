@@ -11,12 +11,12 @@ namespace slipstitch {
 /// A point of a yarn's centreline where it can touch something: x = (1 - share) x0 + share x1 on segment `visit`.
 struct TouchSample {
   int visit = 0;
-  double share = 0.0;          // in [0, 1]
+  double share = 0.0;           // in [0, 1]
   std::array<int, 6> coords{};  // x0, x1
 };
 
-/// Every node once, and points between the nodes of every owned segment, at most a yarn's diameter apart at rest. Points
-/// that handles move are left out: they go where the script says.
+/// Every node once, and points between the nodes of every owned segment, at most a yarn's diameter apart at rest.
+/// Points that handles move are left out: they go where the script says.
 std::vector<TouchSample> touch_samples(const Model& model);
 
 inline Vec3 place_of(const TouchSample& sample, const VecX& q) {

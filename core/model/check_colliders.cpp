@@ -51,13 +51,15 @@ struct CheckShape {
     check.finite(path + ".capsule.a_m", capsule.a);
     check.finite(path + ".capsule.b_m", capsule.b);
     check.positive(path + ".capsule.radius_m", capsule.radius);
-    if (capsule.a == capsule.b) check.fail(path + ".capsule.b_m", "the same as a_m", "another point; for a ball, sphere");
+    if (capsule.a == capsule.b)
+      check.fail(path + ".capsule.b_m", "the same as a_m", "another point; for a ball, sphere");
   }
   void operator()(const Box& box) const {
     check.finite(path + ".box.centre_m", box.centre);
     check.finite(path + ".box.rotation_rad", box.rotation_rad);
     check.finite(path + ".box.half_size_m", box.half_size);
-    check.require(box.half_size.minCoeff() > 0.0, path + ".box.half_size_m", box.half_size.minCoeff(), "three numbers > 0");
+    check.require(box.half_size.minCoeff() > 0.0, path + ".box.half_size_m", box.half_size.minCoeff(),
+                  "three numbers > 0");
   }
   void operator()(const TriangleMesh& mesh) const {
     const int vertices = static_cast<int>(mesh.vertices.size());

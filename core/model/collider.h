@@ -26,7 +26,7 @@ struct Capsule {  // all points within `radius` of the segment a b
 };
 struct Box {
   Vec3 centre = Vec3::Zero(), half_size = Vec3::Zero();  // > 0 each
-  Vec3 rotation_rad = Vec3::Zero();                       // axis * angle
+  Vec3 rotation_rad = Vec3::Zero();                      // axis * angle
 };
 struct TriangleMesh {  // closed, triangles counter-clockwise from outside
   std::vector<Vec3> vertices;

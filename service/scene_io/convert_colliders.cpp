@@ -13,7 +13,8 @@ TriangleMesh mesh_from(const v1::TriangleMesh& message, const std::string& path,
     issues.push_back({path + "." + field, "an array of " + std::to_string(size), "a multiple of 3 numbers"});
     return false;
   };
-  if (!in_threes(message.vertices_m_size(), "vertices_m") || !in_threes(message.triangles_size(), "triangles")) return mesh;
+  if (!in_threes(message.vertices_m_size(), "vertices_m") || !in_threes(message.triangles_size(), "triangles"))
+    return mesh;
   for (int i = 0; i < message.vertices_m_size(); i += 3)
     mesh.vertices.emplace_back(message.vertices_m(i), message.vertices_m(i + 1), message.vertices_m(i + 2));
   for (int i = 0; i < message.triangles_size(); i += 3)
@@ -77,14 +78,15 @@ struct ShapeWriter {
 
 }  // namespace
 
-std::vector<Keyframe> motion_from(const google::protobuf::RepeatedPtrField<v1::Keyframe>& message, const std::string& path,
-                                  Issues& issues) {
+std::vector<Keyframe> motion_from(const google::protobuf::RepeatedPtrField<v1::Keyframe>& message,
+                                  const std::string& path, Issues& issues) {
   std::vector<Keyframe> motion;
   for (int i = 0; i < message.size(); ++i) {
     const std::string at = indexed(path, i);
     Keyframe& keyframe = motion.emplace_back();
     keyframe.t = message[i].t();
-    keyframe.translation_m = vector_from(message[i].translation_m(), keyframe.translation_m, at + ".translation_m", issues);
+    keyframe.translation_m =
+        vector_from(message[i].translation_m(), keyframe.translation_m, at + ".translation_m", issues);
     keyframe.rotation_rad = vector_from(message[i].rotation_rad(), keyframe.rotation_rad, at + ".rotation_rad", issues);
   }
   return motion;

@@ -73,7 +73,8 @@ double way_of_swatch(double angle, double friction) {
   test::use_demo_feel(scene.effects);
   scene.effects.wrapping.reset();
   scene.effects.gravity.emplace().acceleration_m_per_s2 = kG * Vec3(std::sin(angle), 0.0, -std::cos(angle));
-  scene.effects.colliders.emplace().colliders = {{Plane{-scene.yarn.radius_m * Vec3::UnitZ(), Vec3::UnitZ()}, friction, {}}};
+  scene.effects.colliders.emplace().colliders = {
+      {Plane{-scene.yarn.radius_m * Vec3::UnitZ(), Vec3::UnitZ()}, friction, {}}};
   EXPECT_TRUE(check(scene).empty());
   Simulation sim(prepare(scene).model);
   const int nodes = sim.model().topology.num_nodes;
@@ -93,8 +94,10 @@ double way_of_swatch(double angle, double friction) {
 TEST(Slope, CarriesASwatchUpToTheAngleOfFriction) {
   const double mu = 0.3, limit = std::atan(mu);
   const double sticks = way_of_swatch(limit - 0.05, mu), slides = way_of_swatch(limit + 0.05, mu);
-  const double expected = 0.5 * kG * (std::sin(limit + 0.05) - mu * std::cos(limit + 0.05)) * (0.25 * 0.25 - 0.15 * 0.15);
-  std::printf("%.3f mm below the angle, %.2f mm above it (a block: %.2f mm)\n", 1e3 * sticks, 1e3 * slides, 1e3 * expected);
+  const double expected =
+      0.5 * kG * (std::sin(limit + 0.05) - mu * std::cos(limit + 0.05)) * (0.25 * 0.25 - 0.15 * 0.15);
+  std::printf("%.3f mm below the angle, %.2f mm above it (a block: %.2f mm)\n", 1e3 * sticks, 1e3 * slides,
+              1e3 * expected);
   EXPECT_LT(std::abs(sticks), 0.02 * slides);
   EXPECT_GT(slides, 0.8 * expected);
   EXPECT_LT(slides, 1.2 * expected);
@@ -107,7 +110,8 @@ double deepest(const Simulation& sim, const RigidBody& body) {
   for (int i = 0; i + 1 < topology.num_visits(); ++i) {
     const auto v = static_cast<std::size_t>(i);
     if (topology.segment_kind[v] == SegmentKind::none) continue;
-    const Vec3 a = sim.state().q.segment<3>(3 * topology.visit_node[v]), b = sim.state().q.segment<3>(3 * topology.visit_node[v + 1]);
+    const Vec3 a = sim.state().q.segment<3>(3 * topology.visit_node[v]),
+               b = sim.state().q.segment<3>(3 * topology.visit_node[v + 1]);
     for (int k = 0; k <= 20; ++k) least = std::min(least, body.distance(a + k / 20.0 * (b - a)).phi);
   }
   return sim.model().yarn.radius_m - least;
@@ -162,7 +166,8 @@ TEST(Ball, LiftsASwatchThatIsHeldAtItsEdges) {
   ASSERT_TRUE(check(scene).empty());
   Simulation sim(prepare(scene).model);
   expect_never_inside(sim, ball, 0.2);
-  EXPECT_GT(sim.state().q(1 + 3 * sim.model().topology.stitches[45].node[0]), 1e-3);  // over the ball, whose top ends at y = 2 mm
+  EXPECT_GT(sim.state().q(1 + 3 * sim.model().topology.stitches[45].node[0]),
+            1e-3);  // over the ball, whose top ends at y = 2 mm
 }
 
 }  // namespace

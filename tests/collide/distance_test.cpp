@@ -76,7 +76,8 @@ TEST(Distance, IsThatOfTheSurface) {
 TEST(Distance, OfABoxIsThatOfItsMesh) {
   std::mt19937_64 random(7);
   const Vec3 half(0.05, 0.08, 0.03);
-  const RigidBody box({Box{Vec3::Zero(), half, Vec3::Zero()}, 0.0, {}}), mesh({test::box_mesh(Vec3::Zero(), half), 0.0, {}});
+  const RigidBody box({Box{Vec3::Zero(), half, Vec3::Zero()}, 0.0, {}}),
+      mesh({test::box_mesh(Vec3::Zero(), half), 0.0, {}});
   for (int i = 0; i < 500; ++i) {
     const Vec3 p = random_point(random);
     const Distance a = box.distance(p), b = mesh.distance(p);

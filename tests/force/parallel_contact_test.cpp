@@ -31,7 +31,9 @@ TEST(ParallelContactBarrier, IsZeroFromHalfTheDistanceOnAndJoinsTwiceDifferentia
 TEST(ParallelContactBarrier, HasExactDerivativesAndIsConvex) {
   for (double share : {0.4, 0.1, 1e-2, 1e-4}) {
     const Vec<2> q(0.0, share * d);
-    const auto eval = [](const Vec<2>& at, Vec<2>* g, Mat<2>* h) { return parallel_contact_barrier(k_c, L, d, at, g, h); };
+    const auto eval = [](const Vec<2>& at, Vec<2>* g, Mat<2>* h) {
+      return parallel_contact_barrier(k_c, L, d, at, g, h);
+    };
     expect_exact_derivatives(q, 1e-3 * share * d, 2, with_dynamic_size<2>(eval));
     Mat<2> hess;
     barrier(share * d, nullptr, &hess);

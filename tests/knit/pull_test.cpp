@@ -32,7 +32,8 @@ Scene pulled(const Pull& pull) {
 double force(const Simulation& sim, const Vec3& direction, const Handle& handle) {
   const VecX reactions = sim.reactions();
   double sum = 0.0;
-  for (int node : select_nodes(handle.where, sim.model().topology)) sum += direction.dot(reactions.segment<3>(3 * node));
+  for (int node : select_nodes(handle.where, sim.model().topology))
+    sum += direction.dot(reactions.segment<3>(3 * node));
   return sum;
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "force/self_collision.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <set>
 
 #include "collide/closest_point.h"
-#include "force/self_collision.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
 #include "support/knit_scene.h"
@@ -28,7 +29,8 @@ double closest_strangers(const Simulation& sim) {
     joined.insert({topology.visit_node[v + 1], topology.visit_node[v]});
   }
   const auto distance = [&](const VecX& q, const std::array<int, 2>& a, const std::array<int, 2>& b) {
-    const Vec3 a0 = q.segment<3>(3 * a[0]), a1 = q.segment<3>(3 * a[1]), b0 = q.segment<3>(3 * b[0]), b1 = q.segment<3>(3 * b[1]);
+    const Vec3 a0 = q.segment<3>(3 * a[0]), a1 = q.segment<3>(3 * a[1]), b0 = q.segment<3>(3 * b[0]),
+               b1 = q.segment<3>(3 * b[1]);
     const SegmentPair close = closest_of_segments(a0, a1, b0, b1);
     return (a0 + close.s * (a1 - a0) - b0 - close.t * (b1 - b0)).norm();
   };
@@ -113,7 +115,8 @@ TEST(SelfCollision, KeepsTheLayersOfAFoldApart) {
   Handle top{Edge::top, {}, false};
   for (int k = 0; k <= 8; ++k) {  // a half turn, over onto the lower half, and then into it
     const double a = kPi * k / 8.0;
-    top.motion.push_back({0.05 * k, {0.0, -8e-3 * (1.0 - std::cos(a)), 8e-3 * std::sin(a) + 2e-3 * k / 8.0}, {a, 0.0, 0.0}});
+    top.motion.push_back(
+        {0.05 * k, {0.0, -8e-3 * (1.0 - std::cos(a)), 8e-3 * std::sin(a) + 2e-3 * k / 8.0}, {a, 0.0, 0.0}});
   }
   top.motion.push_back({0.5, {0.0, -16e-3, -1e-3}, {kPi, 0.0, 0.0}});
   scene.handles.push_back(top);

@@ -65,8 +65,8 @@ TEST(Torso, GoesIntoATubeThatIsTooNarrowForIt) {
     const Vec3 in_body = body.to_body(sim.state().q.segment<3>(3 * stitch.node[0]));
     around += in_body.y() < tip.y();
   }
-  std::printf("deepest %.3f radii; %d of %zu stitches around the cylinder\n", deepest / sim.model().yarn.radius_m, around,
-              sim.model().topology.stitches.size());
+  std::printf("deepest %.3f radii; %d of %zu stitches around the cylinder\n", deepest / sim.model().yarn.radius_m,
+              around, sim.model().topology.stitches.size());
   EXPECT_LE(deepest, 0.1 * sim.model().yarn.radius_m);
   EXPECT_GT(around, 16);
 }

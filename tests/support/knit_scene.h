@@ -34,7 +34,8 @@ inline Scene knit_scene(const std::string& preset, int courses, int wales) {
 /// The demo's: a soft wrapping and enough damping to come to rest in a third of a second.
 inline void use_demo_feel(Effects& effects) {
   effects.wrapping->alpha = 0.03;
-  effects.damping = DampingEffect{.stretch_ns = 0.0, .bending_nm2s = 1.35e-8, .wrapping_ns = 9e-3, .sliding_ns_per_m = 10.0};
+  effects.damping =
+      DampingEffect{.stretch_ns = 0.0, .bending_nm2s = 1.35e-8, .wrapping_ns = 9e-3, .sliding_ns_per_m = 10.0};
 }
 
 }  // namespace slipstitch::test

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "model/remarks.h"
+
+#include <algorithm>
+
+namespace slipstitch {
+namespace {
+
+constexpr double kAlphaThatRollsUp = 0.3;  // free edges of stockinette at this wrapping stiffness close into a scroll
+
+bool moves(const Handle& handle) { return !handle.motion.empty() || handle.velocity_m_per_s.has_value(); }
+
+bool at_rest_for_ever(const Scene& scene) {
+  return !scene.effects.gravity && !scene.effects.wind && !scene.effects.shrinkage && scene.loads.empty() &&
+         scene.initial_velocities.empty() && std::none_of(scene.handles.begin(), scene.handles.end(), moves) &&
+         std::none_of(scene.yarns.begin(), scene.yarns.end(), [](const BareYarn& yarn) {
+           return yarn.prestretch != 1.0 || !yarn.velocity_m_per_s.isZero(0.0);
+         });
+}
+
+std::vector<std::string> without_effect(const Scene& scene) {
+  const Effects& on = scene.effects;
+  std::vector<std::string> remarks;
+  const auto idle = [&](bool holds, const char* effect, const char* why) {
+    if (holds) remarks.push_back(std::string("effects.") + effect + " cannot matter here: " + why);
+  };
+  const bool stitches = scene.knit.has_value(), shared = stitches || !scene.crossings.empty();
+  idle(on.gravity && on.gravity->acceleration_m_per_s2.isZero(0.0), "gravity", "its acceleration is 0");
+  idle(on.wrapping && !stitches, "wrapping", "only stitches wrap, and the scene has no knit");
+  idle(on.wrapping && stitches && on.wrapping->stiffness_n.value_or(on.wrapping->alpha) == 0.0, "wrapping",
+       "its stiffness is 0");
+  idle(on.contact_length && !stitches, "contact_length",
+       "only stitches have contacts of a length, and the scene has no knit");
+  idle(on.sliding && !shared && scene.guides.empty(), "sliding", "no yarn passes a stitch, a crossing or a guide");
+  idle(on.sliding_friction && on.sliding_friction->coefficient == 0.0, "sliding_friction", "its coefficient is 0");
+  idle(on.bending_jamming && on.bending_jamming->max_factor == 1.0, "bending_jamming", "its max_factor is 1");
+  idle(on.damping && on.damping->stretch_ns == 0.0 && on.damping->bending_nm2s == 0.0 &&
+           on.damping->wrapping_ns == 0.0 && (on.damping->sliding_ns_per_m == 0.0 || !on.sliding),
+       "damping", "it damps nothing that moves");
+  idle(on.damping && !on.inertia, "damping", "without inertia only the path to rest is damped, not where it ends");
+  idle(on.air_drag && on.air_drag->linear_ns_per_m2 == 0.0 && on.air_drag->quadratic_ns2_per_m3 == 0.0, "air_drag",
+       "both its coefficients are 0");
+  idle(on.wind && on.wind->velocity_m_per_s.isZero(0.0) && on.wind->gust_velocity_m_per_s.isZero(0.0), "wind",
+       "the air stands still");
+  idle(on.shrinkage && std::all_of(on.shrinkage->keyframes.begin(), on.shrinkage->keyframes.end(),
+                                   [](const LengthKeyframe& key) { return key.factor == 1.0; }),
+       "shrinkage", "every factor is 1");
+  return remarks;
+}
+
+void add_missing(const Scene& scene, std::vector<std::string>& remarks) {
+  const Effects& on = scene.effects;
+  const auto missing = [&](bool holds, const char* effect, const char* why) {
+    if (holds) remarks.push_back(std::string("effects.") + effect + " is probably missing: " + why);
+  };
+  missing(!on.stretch, "stretch", "without it yarn has no length to keep");
+  missing(scene.knit && !on.bending, "bending", "without it a stitch has no shape to keep");
+  missing(scene.knit && on.bending && !on.wrapping, "wrapping",
+          "without it nothing holds the loops of a stitch around each other, and no edge curls");
+  missing(on.inertia && on.gravity && scene.handles.empty() && !on.colliders, "colliders",
+          "nothing is held, and the fabric falls onto nothing");
+  missing(on.sliding && scene.knit && !on.parallel_contact, "parallel_contact",
+          "yarn can slide until two contacts are in one place");
+  missing(on.sliding && scene.knit && !on.contact_length, "contact_length",
+          "the yarn inside a contact can slide out of it");
+  missing(on.inertia && scene.knit && !on.damping && !on.air_drag, "damping",
+          "without it the fabric swings for ever, but for what the time steps take");
+  missing(scene.knit && on.wrapping && !on.self_collision && on.wrapping->alpha >= kAlphaThatRollsUp &&
+              !on.wrapping->stiffness_n && scene.duration_s > 0.1,
+          "self_collision", "free edges at this wrapping stiffness roll up, through themselves");
+}
+
+}  // namespace
+
+std::vector<std::string> remarks_on(const Scene& scene) {
+  std::vector<std::string> remarks = without_effect(scene);
+  if (scene.knit || !scene.yarns.empty()) add_missing(scene, remarks);
+  if (!scene.knit && at_rest_for_ever(scene))
+    remarks.push_back("handles, loads or effects.gravity are probably missing: nothing moves the yarn");
+  return remarks;
+}
+
+}  // namespace slipstitch

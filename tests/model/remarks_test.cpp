@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "model/remarks.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "support/knit_scene.h"
+
+namespace slipstitch {
+namespace {
+
+// A scene without remarks.
+Scene quiet_scene() {
+  Scene scene = test::knit_scene("stockinette", 4, 4);
+  test::use_demo_feel(scene.effects);
+  scene.effects.gravity.emplace();
+  scene.handles = {Handle{Edge::top, {}, false}};
+  return scene;
+}
+
+struct Case {
+  std::string starts_with;
+  std::function<void(Scene&)> change;
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      {"effects.gravity cannot", [](Scene& s) { s.effects.gravity->acceleration_m_per_s2.setZero(); }},
+      {"effects.wrapping cannot", [](Scene& s) { s.effects.wrapping->alpha = 0.0; }},
+      {"effects.sliding_friction cannot", [](Scene& s) { s.effects.sliding_friction->coefficient = 0.0; }},
+      {"effects.bending_jamming cannot", [](Scene& s) { s.effects.bending_jamming->max_factor = 1.0; }},
+      {"effects.damping cannot",
+       [](Scene& s) {
+         s.effects.damping = DampingEffect{0.0, 0.0, 0.0, 0.0};
+       }},
+      {"effects.air_drag cannot", [](Scene& s) { s.effects.air_drag.emplace().quadratic_ns2_per_m3 = 0.0; }},
+      {"effects.wind cannot", [](Scene& s) { s.effects.air_drag.emplace(), s.effects.wind.emplace(); }},
+      {"effects.shrinkage cannot",
+       [](Scene& s) {
+         s.effects.shrinkage.emplace().keyframes = {{0.0, 1.0}};
+       }},
+      {"effects.stretch is probably missing", [](Scene& s) { s.effects.stretch.reset(); }},
+      {"effects.wrapping is probably missing", [](Scene& s) { s.effects.wrapping.reset(); }},
+      {"effects.colliders is probably missing", [](Scene& s) { s.handles.clear(); }},
+      {"effects.parallel_contact is probably missing", [](Scene& s) { s.effects.parallel_contact.reset(); }},
+      {"effects.contact_length is probably missing", [](Scene& s) { s.effects.contact_length.reset(); }},
+      {"effects.damping is probably missing", [](Scene& s) { s.effects.damping.reset(); }},
+      {"effects.self_collision is probably missing", [](Scene& s) { s.effects.wrapping->alpha = 1.0; }},
+  };
+  return all;
+}
+
+TEST(Remarks, AreNoneOnASceneThatListsWhatItNeeds) { EXPECT_TRUE(remarks_on(quiet_scene()).empty()); }
+
+TEST(Remarks, PointOutWhatCannotMatterAndWhatIsMissing) {
+  for (const Case& c : cases()) {
+    Scene scene = quiet_scene();
+    c.change(scene);
+    const std::vector<std::string> remarks = remarks_on(scene);
+    ASSERT_EQ(remarks.size(), 1U) << c.starts_with;
+    EXPECT_EQ(remarks[0].rfind(c.starts_with, 0), 0U) << remarks[0];
+  }
+}
+
+TEST(Remarks, KnowWhatOnlyStitchesHave) {
+  Scene scene;
+  scene.yarns.resize(1);
+  scene.yarns[0].points = {Vec3::Zero(), Vec3::UnitX()};
+  scene.effects.stretch.emplace();
+  scene.effects.wrapping.emplace();
+  scene.effects.sliding.emplace();
+  const std::vector<std::string> remarks = remarks_on(scene);
+  ASSERT_EQ(remarks.size(), 3U);
+  EXPECT_NE(remarks[0].find("no knit"), std::string::npos);
+  EXPECT_NE(remarks[1].find("no yarn passes"), std::string::npos);
+  EXPECT_NE(remarks[2].find("nothing moves the yarn"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace slipstitch
