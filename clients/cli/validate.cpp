@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "cli/command.h"
 #include "cli/estimate.h"
@@ -37,21 +38,37 @@ Json to_json(const std::string& scene, const Estimate& estimate, const std::vect
           {"remarks", remarks}};
 }
 
-std::string to_text(const std::string& scene, const Estimate& estimate) {
+/// Words in lines of at most `width` characters.
+std::string wrap_words(const std::string& text, std::size_t width) {
+  std::istringstream words(text);
+  std::string all, line, word;
+  while (words >> word) {
+    if (!line.empty() && line.size() + 1 + word.size() > width) {
+      all += line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return all + line;
+}
+
+std::string to_text(const std::string& scene, const Estimate& estimate, const std::vector<std::string>& remarks) {
+  constexpr std::size_t kWidth = 66;
   std::string effects;
-  for (const std::string& line : wrap_list(estimate.effects, 66)) effects += (effects.empty() ? "" : "\n") + line;
+  for (const std::string& line : wrap_list(estimate.effects, kWidth)) effects += (effects.empty() ? "" : "\n") + line;
   const std::string loops = estimate.loops > 0 ? count_of(estimate.loops, "loop", "loops") + ", " : "";
   const auto& memory = estimate.memory_bytes;
   const auto& wall = estimate.wall_s;
-  return scene + ": valid\n" +
-         two_columns({{"fabric", loops + count_of(estimate.nodes, "node", "nodes") + ", " +
-                                     count_of(estimate.dofs, "unknown", "unknowns")},
-                      {"effects", effects.empty() ? "none" : effects},
-                      {"output", count_of(estimate.frames, "frame", "frames") + " in at least " +
-                                     count_of(estimate.least_steps, "step", "steps")},
-                      {"memory", memory ? "about " + bytes_text(*memory) : "not known"},
-                      {"time", wall ? "about " + duration_text(*wall) + ", roughly estimated from the unknowns"
-                                    : "not known for static solves"}});
+  Rows rows{{"fabric", loops + count_of(estimate.nodes, "node", "nodes") + ", " +
+                           count_of(estimate.dofs, "unknown", "unknowns")},
+            {"effects", effects.empty() ? "none" : effects},
+            {"output", count_of(estimate.frames, "frame", "frames") + " in at least " +
+                           count_of(estimate.least_steps, "step", "steps")},
+            {"memory", memory ? "about " + bytes_text(*memory) : "not known"},
+            {"time", wall ? "about " + duration_text(*wall) + ", roughly estimated from the unknowns"
+                          : "not known for static solves"}};
+  for (const std::string& remark : remarks) rows.emplace_back("note", wrap_words(remark, kWidth));
+  return scene + ": valid\n" + two_columns(rows);
 }
 
 int validate(const ValidateOptions& options) {
@@ -67,8 +84,7 @@ int validate(const ValidateOptions& options) {
   if (options.json) {
     std::cout << to_json(name, found, remarks).dump(2) << std::endl;
   } else {
-    std::cout << to_text(name.empty() ? options.scene.scene : name, found) << std::flush;
-    for (const std::string& remark : remarks) std::cout << "  note       " << remark << '\n';
+    std::cout << to_text(name.empty() ? options.scene.scene : name, found, remarks) << std::flush;
   }
   return kExitDone;
 }
