@@ -23,8 +23,10 @@ Vec3 at(const std::array<int, 6>& coords, double share, const VecX& q) {
   return (1.0 - share) * q.segment<3>(coords[0]) + share * q.segment<3>(coords[3]);
 }
 
-double distance(const std::array<int, 6>& a, const std::array<int, 6>& b, const VecX& q) {
-  const Vec3 a0 = q.segment<3>(a[0]), a1 = q.segment<3>(a[3]), b0 = q.segment<3>(b[0]), b1 = q.segment<3>(b[3]);
+template <class Vector>
+double distance(const std::array<int, 6>& a, const std::array<int, 6>& b, const Vector& q) {
+  const Vec3 a0 = q.template segment<3>(a[0]), a1 = q.template segment<3>(a[3]);
+  const Vec3 b0 = q.template segment<3>(b[0]), b1 = q.template segment<3>(b[3]);
   const SegmentPair close = closest_of_segments(a0, a1, b0, b1);
   return (a0 + close.s * (a1 - a0) - b0 - close.t * (b1 - b0)).norm();
 }
@@ -130,6 +132,7 @@ double SelfCollision::eval(int k, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) c
   const Pair& pair = pairs_[static_cast<std::size_t>(k)];
   if (g) g->setZero();
   if (hess) hess->setZero();
+  if (distance({0, 1, 2, 3, 4, 5}, {6, 7, 8, 9, 10, 11}, q) > pair.distance) return 0.0;  // most pairs are only watched
   double sum = 0.0;
   for_each_point_pair(pair, [&](const std::array<double, 4>& w) {
     const Vec3 p = weighted(w, q);
