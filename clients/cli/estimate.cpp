@@ -11,12 +11,6 @@
 namespace slipstitch {
 namespace {
 
-long least_steps(const Scene& scene, int frames) {
-  const auto* numerics = std::get_if<FixedNumerics>(&scene.numerics);
-  if (numerics == nullptr) return 0;
-  return static_cast<long>(least_steps_per_frame(scene.frames_per_s, numerics->time_step_s)) * (frames - 1);
-}
-
 // A fabric's nested-dissection factor grows like n log n; the constant comes from two scenes, of 36 and 1,600 loops.
 double factor_bytes(double n) {
   constexpr double kNonzerosPerDof = 20.0;
@@ -38,7 +32,9 @@ Estimate estimate(const Scene& scene) {
   Estimate estimate;
   estimate.effects = effect_names(scene.effects);
   estimate.frames = planned_frames(scene.duration_s, scene.frames_per_s);
-  estimate.least_steps = least_steps(scene, estimate.frames);
+  if (const auto* numerics = std::get_if<FixedNumerics>(&scene.numerics)) {
+    estimate.least_steps = least_steps(scene.duration_s, scene.frames_per_s, numerics->time_step_s);
+  }
   Scene drawn = scene;
   if (drawn.knit) drawn.knit->relax_repeat = false;
   Prepared prepared = prepare(drawn);

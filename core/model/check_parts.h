@@ -13,6 +13,6 @@ void check_motion(const std::vector<Keyframe>& motion, const std::string& path, 
 void check_knit(const Knit& knit, const SceneLimits& limits, Checker& check);
 void check_yarns(const Scene& scene, const SceneLimits& limits, Checker& check);
 void check_actions(const Scene& scene, Checker& check);  // handles, loads, initial velocities
-void check_numerics(const Scene& scene, Checker& check);
+void check_numerics(const Scene& scene, const SceneLimits& limits, Checker& check);
 
 }  // namespace slipstitch

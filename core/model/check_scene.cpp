@@ -18,7 +18,8 @@ void check_name(const std::string& name, Checker& check) {
   constexpr std::size_t kLongestName = 200;
   const auto control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
   if (name.size() > kLongestName) check.fail("name", std::to_string(name.size()) + " bytes", "at most 200 bytes");
-  if (std::any_of(name.begin(), name.end(), control)) check.fail("name", "a text with control characters", "printable characters");
+  if (std::any_of(name.begin(), name.end(), control))
+    check.fail("name", "a text with control characters", "printable characters");
 }
 
 void check_time(const Scene& scene, const SceneLimits& limits, Checker& check) {
@@ -34,7 +35,7 @@ void check_time(const Scene& scene, const SceneLimits& limits, Checker& check) {
 
 }  // namespace
 
-void check_numerics(const Scene& scene, Checker& check) {
+void check_numerics(const Scene& scene, const SceneLimits& limits, Checker& check) {
   if (const auto* accuracy = std::get_if<AccuracyNumerics>(&scene.numerics)) {
     check.fail("accuracy", number_text(accuracy->tolerance_m), "fixed; accuracy is not supported yet");
     return;
@@ -44,6 +45,16 @@ void check_numerics(const Scene& scene, Checker& check) {
   check.positive("fixed.velocity_tolerance_m_per_s", fixed.velocity_tolerance_m_per_s);
   check.positive("fixed.force_tolerance_n", fixed.force_tolerance_n);
   check.positive("fixed.smallest_step_s", fixed.smallest_step_s);
+  const bool too_many_frames = !(scene.duration_s * scene.frames_per_s <= limits.max_frames);  // said already
+  if (!too_many_frames && fixed.time_step_s > 0.0 && scene.duration_s / fixed.time_step_s > limits.max_steps) {
+    check.fail("fixed.time_step_s", number_text(fixed.time_step_s),
+               "at least " + number_text(scene.duration_s / limits.max_steps) + ", that is, at most " +
+                   number_text(limits.max_steps) + " steps");
+  }
+  if (std::isfinite(fixed.smallest_step_s) && fixed.smallest_step_s > fixed.time_step_s && fixed.time_step_s > 0.0) {
+    check.fail("fixed.smallest_step_s", number_text(fixed.smallest_step_s),
+               "at most fixed.time_step_s, " + number_text(fixed.time_step_s));
+  }
   if (fixed.max_newton_iterations < 1) {
     check.fail("fixed.max_newton_iterations", std::to_string(fixed.max_newton_iterations), "at least 1");
   }
@@ -61,7 +72,7 @@ Issues check(const Scene& scene, const SceneLimits& limits) {
   const bool too_big = std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.too_big; });
   if (!too_big) check_actions(scene, checker);  // counts of a scene over its limits could overflow
   check_time(scene, limits, checker);
-  check_numerics(scene, checker);
+  check_numerics(scene, limits, checker);
   return issues;
 }
 

@@ -125,6 +125,7 @@ struct SceneLimits {
   int max_stitches = 250000;
   int max_yarn_points = 1000000;
   int max_frames = 1000000;
+  double max_steps = 1e9;
 };
 
 /// Every problem at once: ranges, finiteness, prerequisites of effects, indices, limits. Empty: the scene can run.

@@ -166,6 +166,14 @@ double least_steps_per_frame(double frames_per_s, double time_step_s) {
   return std::ceil(1.0 / frames_per_s / time_step_s * (1.0 - 1e-6));
 }
 
+long least_steps(double duration_s, double frames_per_s, double time_step_s) {
+  const int frames = planned_frames(duration_s, frames_per_s);
+  if (frames < 2) return 0;
+  const double a_frame = least_steps_per_frame(frames_per_s, time_step_s);
+  const double last = (duration_s * frames_per_s - (frames - 2)) * a_frame;  // the last frame may come early
+  return static_cast<long>(a_frame * (frames - 2) + std::ceil(last - 1e-6));
+}
+
 std::vector<std::string> effect_names(const Effects& effects) {
   std::vector<std::string> names;
   const auto add = [&](const auto& effect, const char* name) {

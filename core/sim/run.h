@@ -70,6 +70,8 @@ int planned_frames(double duration_s, double frames_per_s);
 
 /// Steps from one frame to the next if none has to be cut; a whole number. `time_step_s` may be short by rounding.
 double least_steps_per_frame(double frames_per_s, double time_step_s);
+/// Steps of a run in which none is cut.
+long least_steps(double duration_s, double frames_per_s, double time_step_s);
 
 /// Names of the engaged effects, in the schema's spelling.
 std::vector<std::string> effect_names(const Effects& effects);

@@ -22,5 +22,13 @@ TEST(RemoteError, ABrokenConnectionIsToldByItsCauseAlone) {
   EXPECT_EQ(plain_text(stopping), "the server is stopping: later");
 }
 
+// As gRPC answers calls that reach a server after its streams have ended.
+TEST(RemoteError, ACallThatTheServerCancelledIsALostServer) {
+  const RemoteError lost = error(grpc::StatusCode::CANCELLED, "CANCELLED");
+  EXPECT_EQ(lost.code, grpc::StatusCode::UNAVAILABLE);
+  EXPECT_TRUE(worth_a_retry(lost));
+  EXPECT_EQ(plain_text(lost), "the server ended the call");
+}
+
 }  // namespace
 }  // namespace slipstitch::test

@@ -258,6 +258,13 @@ const std::vector<Bad>& bad_scenes() {
        [](Scene& s) {
          s.numerics = FixedNumerics{1e-3, 1e-4, 1e-9, 0, 1e-7};
        }},
+      {"fixed.smallest_step_s", [](Scene& s) { std::get<FixedNumerics>(s.numerics).smallest_step_s = 1.0; }},
+      {"fixed.time_step_s",
+       [](Scene& s) {
+         s.duration_s = 1.0;
+         std::get<FixedNumerics>(s.numerics).time_step_s = 0.99e-9;
+         std::get<FixedNumerics>(s.numerics).smallest_step_s = 1e-10;
+       }},
       {"fixed.smallest_step_s",
        [](Scene& s) {
          s.numerics = FixedNumerics{1e-3, 1e-4, 1e-9, 60, kInf};

@@ -142,6 +142,19 @@ TEST(Run, PlansTheFramesThatFitIntoTheDuration) {
   EXPECT_EQ(planned_frames(0.02, 30.0), 2);
 }
 
+TEST(Run, PlansItsStepsUpToTheLastFrame) {
+  EXPECT_EQ(least_steps(2.0, 30.0, 1.0 / 240.0), 480);
+  EXPECT_EQ(least_steps(0.0, 30.0, 1.0 / 240.0), 0);
+  Scene scene = short_run();
+  for (double duration : {0.02, 0.05, 0.0651}) {
+    scene.duration_s = duration;
+    std::get<FixedNumerics>(scene.numerics).time_step_s = 4e-3;
+    const RunSummary summary = run(scene, 1, {});
+    EXPECT_NEAR(summary.sim_time_s, duration, 1e-12);
+    EXPECT_EQ(summary.steps, least_steps(duration, scene.frames_per_s, 4e-3)) << duration;
+  }
+}
+
 Scene twisted_swatch() {
   Scene scene = test::knit_scene("stockinette", 8, 6);
   const Keyframe turned{0.3, Vec3::Zero(), Vec3(0.0, 6.28, 0.0)};

@@ -43,6 +43,10 @@ RemoteError remote_error(const grpc::Status& status) {
   RemoteError error;
   error.code = status.error_code();
   error.message = status.error_message();
+  if (error.code == grpc::StatusCode::CANCELLED) {  // nobody here asked for it: a server that shuts down ends calls so
+    error.code = grpc::StatusCode::UNAVAILABLE;
+    error.message = "the server ended the call";
+  }
   return error;
 }
 
