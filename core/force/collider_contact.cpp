@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "force/scripted_nodes.h"
+
 namespace slipstitch {
 namespace {
 
@@ -34,9 +36,7 @@ ColliderContact::ColliderContact(const Model& model) {
   depth_ = kDeepest * radius_;
   k_ = effect->stiffness_n.value_or(kStiffness * model.yarn.stretch_n);
   samples_ = touch_samples(model);
-  held_.assign(static_cast<std::size_t>(model.topology.num_nodes), 0);
-  for (const ScriptedNodes& handle : model.handles)
-    for (int node : handle.nodes) held_[static_cast<std::size_t>(node)] = 1;
+  held_ = scripted_nodes(model);
   for (const Collider& collider : effect->colliders) bodies_.emplace_back(collider);
 }
 

@@ -7,6 +7,7 @@
 #include "collide/closest_point.h"
 #include "collide/overlaps.h"
 #include "force/gap_energy.h"
+#include "force/scripted_nodes.h"
 #include "force/segments.h"
 
 namespace slipstitch {
@@ -70,9 +71,7 @@ SelfCollision::SelfCollision(const Model& model) {
   radius_ = model.yarn.radius_m;
   k_ = effect->stiffness_n.value_or(kStiffness * model.yarn.stretch_n);
   start_q_ = model.start_q;
-  std::vector<char> held(static_cast<std::size_t>(topology.num_nodes), 0);
-  for (const ScriptedNodes& handle : model.handles)
-    for (int node : handle.nodes) held[static_cast<std::size_t>(node)] = 1;
+  const std::vector<char> held = scripted_nodes(model);
   for_each_owned_segment(topology, [&](int, int i) {
     const auto v = static_cast<std::size_t>(i);
     const int x0 = position_coord(topology, i), x1 = position_coord(topology, i + 1);

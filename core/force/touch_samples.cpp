@@ -3,15 +3,15 @@
 
 #include <cmath>
 
+#include "force/scripted_nodes.h"
 #include "force/segments.h"
 
 namespace slipstitch {
 
 std::vector<TouchSample> touch_samples(const Model& model) {
   const Topology& topology = model.topology;
-  std::vector<char> scripted(static_cast<std::size_t>(topology.num_nodes), 0), taken = scripted;
-  for (const ScriptedNodes& handle : model.handles)
-    for (int node : handle.nodes) scripted[static_cast<std::size_t>(node)] = 1;
+  const std::vector<char> scripted = scripted_nodes(model);
+  std::vector<char> taken(scripted.size(), 0);
   std::vector<TouchSample> samples;
   for_each_owned_segment(topology, [&](int, int i) {
     const auto v = static_cast<std::size_t>(i);
