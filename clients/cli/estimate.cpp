@@ -3,10 +3,12 @@
 
 #include <cmath>
 
+#include "model/effect_list.h"
 #include "platform/memory.h"
 #include "sim/prepare.h"
 #include "sim/run.h"
 #include "sim/simulation.h"
+#include "study/choose_effects.h"
 
 namespace slipstitch {
 namespace {
@@ -28,8 +30,9 @@ double step_s(double n) {
 
 }  // namespace
 
-Estimate estimate(const Scene& scene) {
+Estimate estimate(const Scene& given) {
   Estimate estimate;
+  const Scene scene = with_candidates(given);
   estimate.effects = effect_names(scene.effects);
   estimate.frames = planned_frames(scene.duration_s, scene.frames_per_s);
   if (const auto* numerics = std::get_if<FixedNumerics>(&scene.numerics)) {

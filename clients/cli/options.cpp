@@ -44,7 +44,11 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_option("SCENE", options.scene, "A scene (.json), or a chart of K and P rows (.txt)")
       ->type_name("")
       ->required();
-  app.add_option("--set", options.settings, "Change the scene first, e.g. yarn.radius_m=0.6e-3")
+  add_settings_option(app, options.settings);
+}
+
+void add_settings_option(CLI::App& app, Settings& settings) {
+  app.add_option("--set", settings, "Change the scene first, e.g. yarn.radius_m=0.6e-3")
       ->type_name("PATH=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -21,6 +21,7 @@ struct SceneOptions {
   Settings settings;
 };
 void add_scene_options(CLI::App& app, SceneOptions& options);
+void add_settings_option(CLI::App& app, Settings& settings);
 std::optional<LoadedScene> load(const SceneOptions& options);
 
 void add_threads_option(CLI::App& app, int& threads);

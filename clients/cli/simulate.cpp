@@ -17,6 +17,7 @@
 #include "scene_io/message_json.h"
 #include "scene_io/spec_hash.h"
 #include "slipstitch/v1/job.pb.h"
+#include "study/choose_effects.h"
 
 namespace slipstitch {
 namespace {
@@ -61,7 +62,7 @@ class StepwiseStop {
 };
 
 // With a directory everything goes there, without one nothing is kept.
-Result<RunSummary> run_scene(const LoadedScene& scene, int threads, const std::optional<RunDir>& dir,
+Result<RunSummary> simulate_here(const LoadedScene& scene, int threads, const std::optional<RunDir>& dir,
                              RecorderOptions options) {
   const auto finished = [&](RunSummary summary) {
     summary.blas = to_string(blas_in_use());
@@ -71,12 +72,12 @@ Result<RunSummary> run_scene(const LoadedScene& scene, int threads, const std::o
   };
   if (dir) {
     RunRecorder recorder(*dir, std::move(options));
-    return recorder.finish(finished(run(scene.scene, threads, recorder.hooks())));
+    return recorder.finish(finished(run_scene(scene.scene, threads, recorder.hooks())));
   }
   RunHooks hooks;
   hooks.on_progress = options.on_progress;
   hooks.should_stop = options.should_stop;
-  return Result<RunSummary>::of(finished(run(scene.scene, threads, hooks)));
+  return Result<RunSummary>::of(finished(run_scene(scene.scene, threads, hooks)));
 }
 
 int report(const RunSummary& summary, const SimulateOptions& options, bool interrupted) {
@@ -132,7 +133,7 @@ int simulate(const SimulateOptions& options) {
     bar.show(progress, estimate_eta(progress));
   };
   recorder.should_stop = [&] { return stop(); };
-  const Result<RunSummary> summary = run_scene(*scene, threads, dir, std::move(recorder));
+  const Result<RunSummary> summary = simulate_here(*scene, threads, dir, std::move(recorder));
   bar.finish();
   if (!summary) {
     complain(summary.error);

@@ -10,6 +10,9 @@
 #include "cli/options.h"
 #include "cli/screen/text.h"
 #include "model/remarks.h"
+#include "sim/prepare.h"
+#include "study/choose_effects.h"
+#include "study/reach.h"
 
 namespace slipstitch {
 namespace {
@@ -59,8 +62,8 @@ std::string to_text(const std::string& scene, const Estimate& estimate, const st
   const std::string loops = estimate.loops > 0 ? count_of(estimate.loops, "loop", "loops") + ", " : "";
   const auto& memory = estimate.memory_bytes;
   const auto& wall = estimate.wall_s;
-  Rows rows{{"fabric", loops + count_of(estimate.nodes, "node", "nodes") + ", " +
-                           count_of(estimate.dofs, "unknown", "unknowns")},
+  Rows rows{{"fabric",
+             loops + count_of(estimate.nodes, "node", "nodes") + ", " + count_of(estimate.dofs, "unknown", "unknowns")},
             {"effects", effects.empty() ? "none" : effects},
             {"output", count_of(estimate.frames, "frame", "frames") + " in at least " +
                            count_of(estimate.least_steps, "step", "steps")},
@@ -69,6 +72,23 @@ std::string to_text(const std::string& scene, const Estimate& estimate, const st
                           : "not known for static solves"}};
   for (const std::string& remark : remarks) rows.emplace_back("note", wrap_words(remark, kWidth));
   return scene + ": valid\n" + two_columns(rows);
+}
+
+/// Also those that take a model to see.
+std::vector<std::string> all_remarks(const Scene& given) {
+  const Scene scene = with_candidates(given);
+  std::vector<std::string> remarks;
+  if (given.effects.automatic)
+    remarks.push_back("effects.auto: the run begins by choosing which of these effects it needs");
+  for (std::string& remark : remarks_on(scene)) remarks.push_back(std::move(remark));
+  if (!scene.effects.colliders) return remarks;
+  Prepared prepared = prepare(scene);
+  if (prepared.failure) return remarks;
+  Simulation simulation(std::move(prepared.model));
+  for (const int i : colliders_out_of_reach(simulation, span_of(scene)))
+    remarks.push_back("effects.colliders.colliders[" + std::to_string(i) +
+                      "] cannot matter here: a bound on the energy shows that the fabric never reaches it");
+  return remarks;
 }
 
 int validate(const ValidateOptions& options) {
@@ -80,7 +100,7 @@ int validate(const ValidateOptions& options) {
     return kExitFailed;
   }
   const std::string& name = loaded->scene.name;
-  const std::vector<std::string> remarks = remarks_on(loaded->scene);
+  const std::vector<std::string> remarks = all_remarks(loaded->scene);
   if (options.json) {
     std::cout << to_json(name, found, remarks).dump(2) << std::endl;
   } else {

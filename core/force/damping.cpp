@@ -144,8 +144,9 @@ void DampingWrapping::convex_hessian(int k, const Vec<12>& q, Mat<12>& hess) con
 }
 
 DampingSliding::DampingSliding(const Model& model) {
-  if (!model.effects.damping || !model.effects.sliding || !(model.effects.damping->sliding_ns_per_m > 0.0)) return;
-  d_f_ = model.effects.damping->sliding_ns_per_m;
+  if (!model.effects.damping || !model.effects.sliding) return;
+  d_f_ = model.effects.damping->sliding_ns_per_m.value_or(DampingEffect::kDefaultSliding);
+  if (!(d_f_ > 0.0)) return;
   for (int i = 0; i < model.topology.num_visits(); ++i)
     if (model.topology.visit_slides[static_cast<std::size_t>(i)] && model.topology.owned(i))
       coord_.push_back(model.topology.arc_coord(i));

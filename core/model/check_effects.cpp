@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "model/check_parts.h"
+#include "model/effect_list.h"
 
 namespace slipstitch {
 namespace {
 
 void check_prerequisites(const Effects& effects, Checker& check) {
-  const auto needs = [&](bool listed, const char* effect, bool present, const char* needed) {
-    if (listed && !present) {
-      check.fail(std::string("effects.") + effect, "listed", std::string("effects.") + needed + " listed too");
-    }
+  const auto needs = [&](const std::string& field, const std::string& needed) {
+    check.fail("effects." + field, "listed", "effects." + needed + " listed too");
   };
-  const bool sliding = effects.sliding.has_value();
-  needs(effects.sliding_friction.has_value(), "sliding_friction", sliding, "sliding");
-  needs(effects.contact_length.has_value(), "contact_length", sliding, "sliding");
-  needs(effects.parallel_contact.has_value(), "parallel_contact", sliding, "sliding");
-  needs(effects.air_drag.has_value(), "air_drag", effects.inertia.has_value(), "inertia");
-  needs(effects.wind.has_value(), "wind", effects.air_drag.has_value(), "air_drag");
-  needs(effects.shrinkage.has_value(), "shrinkage", effects.stretch.has_value(), "stretch");
-  needs(effects.plasticity.has_value(), "plasticity", effects.bending.has_value(), "bending");
-  needs(effects.bending_jamming.has_value(), "bending_jamming", effects.bending.has_value(), "bending");
+  for (const EffectEntry& effect : effect_list()) {
+    const EffectEntry* needed = find_effect(effect.needs);
+    if (needed != nullptr && effect.listed(effects) && !needed->listed(effects)) needs(effect.name, effect.needs);
+  }
+  if (effects.damping && effects.damping->sliding_ns_per_m && !effects.sliding) needs("damping.sliding_ns_per_m", "sliding");
+}
+
+void check_auto(const AutoEffects& automatic, Checker& check) {
+  if (automatic.tolerance_m) check.positive("effects.auto.tolerance_m", *automatic.tolerance_m);
+  if (automatic.window_s) check.positive("effects.auto.window_s", *automatic.window_s);
 }
 
 void check_wrapping(const WrappingEffect& wrapping, Checker& check) {
@@ -40,7 +40,7 @@ void check_damping(const DampingEffect& damping, Checker& check) {
   check.not_negative(path + "stretch_ns", damping.stretch_ns);
   check.not_negative(path + "bending_nm2s", damping.bending_nm2s);
   check.not_negative(path + "wrapping_ns", damping.wrapping_ns);
-  check.not_negative(path + "sliding_ns_per_m", damping.sliding_ns_per_m);
+  if (damping.sliding_ns_per_m) check.not_negative(path + "sliding_ns_per_m", *damping.sliding_ns_per_m);
 }
 
 void check_air_drag(const AirDragEffect& drag, Checker& check) {
@@ -105,7 +105,11 @@ void check_effects(const Effects& effects, Checker& check) {
   if (effects.wind) check_wind(*effects.wind, check);
   if (effects.shrinkage) check_shrinkage(*effects.shrinkage, check);
   if (effects.plasticity) check_plasticity(*effects.plasticity, check);
-  check_prerequisites(effects, check);
+  if (effects.automatic) {
+    check_auto(*effects.automatic, check);  // and prerequisites come by themselves
+  } else {
+    check_prerequisites(effects, check);
+  }
 }
 
 }  // namespace slipstitch

@@ -67,7 +67,8 @@ struct DampingEffect {
   double stretch_ns = 0.0;         // eta of the stretch rate [N s], >= 0
   double bending_nm2s = 0.0;       // eta of theta [N m^2 s], >= 0
   double wrapping_ns = 0.0;        // eta of psi [N s], >= 0
-  double sliding_ns_per_m = 1e-3;  // d_f on every sliding coordinate [N s/m], >= 0; acts only with sliding
+  std::optional<double> sliding_ns_per_m;  // d_f on every sliding coordinate [N s/m], >= 0; needs sliding. Default there:
+  static constexpr double kDefaultSliding = 1e-3;
 };
 
 /// Rigid bodies that yarn touches but does not enter, with stick-slip friction.
@@ -114,7 +115,14 @@ struct SelfCollisionEffect {
   std::optional<double> stiffness_n;  // k of gap_energy() of two points > 0; default EA / 1000
 };
 
+/// Which effects, of those listed and those with defaults, matter here is found before the run (study/choose_effects.h).
+struct AutoEffects {
+  std::optional<double> tolerance_m;  // a difference of positions that does not matter > 0; default the yarn's radius
+  std::optional<double> window_s;     // simulated to find out > 0; default a tenth of the duration, at least ten steps
+};
+
 struct Effects {
+  std::optional<AutoEffects> automatic;  // "auto" in the schema
   std::optional<InertiaEffect> inertia;
   std::optional<GravityEffect> gravity;
   std::optional<StretchEffect> stretch;

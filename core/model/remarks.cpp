@@ -18,11 +18,13 @@ bool at_rest_for_ever(const Scene& scene) {
          });
 }
 
-std::vector<std::string> without_effect(const Scene& scene) {
+}  // namespace
+
+std::vector<IdleEffect> idle_effects(const Scene& scene) {
   const Effects& on = scene.effects;
-  std::vector<std::string> remarks;
+  std::vector<IdleEffect> effects;
   const auto idle = [&](bool holds, const char* effect, const char* why) {
-    if (holds) remarks.push_back(std::string("effects.") + effect + " cannot matter here: " + why);
+    if (holds) effects.push_back({effect, why});
   };
   const bool stitches = scene.knit.has_value(), shared = stitches || !scene.crossings.empty();
   idle(on.gravity && on.gravity->acceleration_m_per_s2.isZero(0.0), "gravity", "its acceleration is 0");
@@ -45,8 +47,10 @@ std::vector<std::string> without_effect(const Scene& scene) {
   idle(on.shrinkage && std::all_of(on.shrinkage->keyframes.begin(), on.shrinkage->keyframes.end(),
                                    [](const LengthKeyframe& key) { return key.factor == 1.0; }),
        "shrinkage", "every factor is 1");
-  return remarks;
+  return effects;
 }
+
+namespace {
 
 void add_missing(const Scene& scene, std::vector<std::string>& remarks) {
   const Effects& on = scene.effects;
@@ -73,7 +77,9 @@ void add_missing(const Scene& scene, std::vector<std::string>& remarks) {
 }  // namespace
 
 std::vector<std::string> remarks_on(const Scene& scene) {
-  std::vector<std::string> remarks = without_effect(scene);
+  std::vector<std::string> remarks;
+  for (const IdleEffect& idle : idle_effects(scene))
+    remarks.push_back("effects." + idle.effect + " cannot matter here: " + idle.why);
   if (scene.knit || !scene.yarns.empty()) add_missing(scene, remarks);
   if (!scene.knit && at_rest_for_ever(scene))
     remarks.push_back("handles, loads or effects.gravity are probably missing: nothing moves the yarn");

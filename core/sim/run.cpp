@@ -2,16 +2,25 @@
 #include "sim/run.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 #include "model/check_values.h"
+#include "model/effect_list.h"
 #include "sim/monitor.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
 
 namespace slipstitch {
 namespace {
+
+std::string short_time(double t) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", t);
+  return text.data();
+}
 
 class Run {
  public:
@@ -33,6 +42,7 @@ class Run {
     const RunStatus status = march(sim, monitor, forces);
     monitor.report(sim, summary_);
     summary_.handles = forces.report();
+    summary_.nonzeros = std::max<long>(summary_.nonzeros, sim.num_nonzeros());
     summary_.effect_cost = sim.effect_costs();
     summary_.energy_j = sim.energies();
     summary_.wall_by_phase_s = sim.wall_by_phase_s();
@@ -59,6 +69,7 @@ class Run {
     summary_.loops = static_cast<int>(topo.stitches.size());
     summary_.nodes = topo.num_nodes;
     summary_.dofs = sim.num_dofs();
+    summary_.nonzeros = sim.num_nonzeros();
     summary_.effects = effect_names(scene_.effects);
     summary_.linear_solver = sim.solver_name();
     summary_.residual_unit = sim.quasi_static() ? "N" : "m/s";
@@ -130,7 +141,7 @@ class Run {
         step_ = 0.5 * h;
         if (step_ >= numerics_.smallest_step_s) continue;
         summary_.message = "no step above " + number_text(numerics_.smallest_step_s) + " s converges at t = " +
-                           number_text(sim.state().t) + " s: " + std::string(to_string(report.newton.status));
+                           short_time(sim.state().t) + " s: " + std::string(to_string(report.newton.status));
         return RunStatus::failed;
       }
       ++summary_.steps;
@@ -174,37 +185,13 @@ long least_steps(double duration_s, double frames_per_s, double time_step_s) {
   return static_cast<long>(a_frame * (frames - 2) + std::ceil(last - 1e-6));
 }
 
-std::vector<std::string> effect_names(const Effects& effects) {
-  std::vector<std::string> names;
-  const auto add = [&](const auto& effect, const char* name) {
-    if (effect) names.emplace_back(name);
-  };
-  add(effects.inertia, "inertia");
-  add(effects.gravity, "gravity");
-  add(effects.stretch, "stretch");
-  add(effects.bending, "bending");
-  add(effects.bending_jamming, "bending_jamming");
-  add(effects.wrapping, "wrapping");
-  add(effects.contact_length, "contact_length");
-  add(effects.parallel_contact, "parallel_contact");
-  add(effects.sliding, "sliding");
-  add(effects.sliding_friction, "sliding_friction");
-  add(effects.damping, "damping");
-  add(effects.colliders, "colliders");
-  add(effects.self_collision, "self_collision");
-  add(effects.air_drag, "air_drag");
-  add(effects.wind, "wind");
-  add(effects.shrinkage, "shrinkage");
-  add(effects.plasticity, "plasticity");
-  return names;
-}
-
 RunSummary run(const Scene& scene, int threads, const RunHooks& hooks) {
   const auto* numerics = std::get_if<FixedNumerics>(&scene.numerics);
-  if (numerics == nullptr) {
+  if (numerics == nullptr || scene.effects.automatic) {
     RunSummary summary;
     summary.scene = scene.name;
-    summary.message = "accuracy numerics are not supported yet";
+    summary.message = numerics == nullptr ? "accuracy numerics are not supported yet"
+                                          : "effects.auto stands, whose choice must be made first";
     return summary;
   }
   return Run(scene, *numerics, threads, hooks).go();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/model.h"
+#include "sim/effect_choice.h"
 #include "sim/effect_cost.h"
 #include "sim/frame.h"
 #include "sim/handle_forces.h"
@@ -41,7 +42,9 @@ struct RunSummary {
   std::string message;  // why it failed, naming stitch, effect and time where known
   std::string scene;
   int loops = 0, nodes = 0, dofs = 0;
+  long nonzeros = 0;                         // of the Hessian's lower triangle, largest of start and end
   std::vector<std::string> effects;
+  std::optional<EffectChoice> effect_choice;  // of a scene that left it to us
   EffectCosts effect_cost;                   // by force term; a term whose effect is off is absent
   double sim_time_s = 0.0, wall_s = 0.0;
   int frames = 0;
@@ -73,10 +76,7 @@ double least_steps_per_frame(double frames_per_s, double time_step_s);
 /// Steps of a run in which none is cut.
 long least_steps(double duration_s, double frames_per_s, double time_step_s);
 
-/// Names of the engaged effects, in the schema's spelling.
-std::vector<std::string> effect_names(const Effects& effects);
-
-/// Runs a checked scene. Never throws for numerical trouble: that is a status with a message.
+/// Runs a checked scene whose effects are chosen (study/choose_effects.h). Never throws for numerical trouble: that is a status with a message.
 RunSummary run(const Scene& scene, int threads, const RunHooks& hooks);
 
 }  // namespace slipstitch

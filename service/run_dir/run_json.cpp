@@ -21,6 +21,20 @@ void fields(auto& visit, auto& force) requires std::is_same_v<std::remove_cvref_
   visit("max_reaction_t_s", force.max_reaction_t_s);
 }
 
+void fields(auto& visit, auto& verdict) requires std::is_same_v<std::remove_cvref_t<decltype(verdict)>, EffectVerdict> {
+  visit("effect", verdict.effect);
+  visit("kept", verdict.kept);
+  visit("why", verdict.why);
+  visit("difference_m", verdict.difference_m);
+}
+
+void fields(auto& visit, auto& choice) requires std::is_same_v<std::remove_cvref_t<decltype(choice)>, EffectChoice> {
+  visit("window_s", choice.window_s);
+  visit("tolerance_m", choice.tolerance_m);
+  visit("wall_s", choice.wall_s);
+  visit("verdicts", choice.verdicts);
+}
+
 void fields(auto& visit, auto& cost) requires std::is_same_v<std::remove_cvref_t<decltype(cost)>, EffectCost> {
   visit("stencils", cost.stencils);
   visit("bytes", cost.bytes);
@@ -50,13 +64,16 @@ class JsonWriter {
     return json;
   }
   static Json as_json(const Vec3& vector) { return {as_json(vector[0]), as_json(vector[1]), as_json(vector[2])}; }
-  static Json as_json(const std::vector<HandleForce>& values) {
+  template <class T>
+  static Json as_json(const std::vector<T>& values) {
     Json json = Json::array();
-    for (const HandleForce& value : values) json.push_back(as_json(value));
+    for (const T& value : values) json.push_back(as_json(value));
     return json;
   }
   static Json as_json(const HandleForce& value) { return as_object(value); }
   static Json as_json(const EffectCost& value) { return as_object(value); }
+  static Json as_json(const EffectVerdict& value) { return as_object(value); }
+  static Json as_json(const EffectChoice& value) { return as_object(value); }
   template <class T>
   static Json as_object(const T& value) {
     JsonWriter writer;
@@ -105,9 +122,17 @@ class JsonReader {
   template <class T>
   static bool from_json(const nlohmann::json& json, std::optional<T>& value) {
     value.reset();
-    return json.is_null() || from_json(json, value.emplace());
+    if (json.is_null()) return true;
+    T read{};
+    const bool ok = from_json(json, read);
+    value = std::move(read);
+    return ok;
   }
-  static bool from_json(const nlohmann::json& json, std::vector<std::string>& values) {
+  static bool from_json(const nlohmann::json& json, bool& value) {
+    return json.is_boolean() && (value = json.get<bool>(), true);
+  }
+  template <class T>
+  static bool from_json(const nlohmann::json& json, std::vector<T>& values) {
     bool ok = json.is_array();
     for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
     return ok;
@@ -116,13 +141,10 @@ class JsonReader {
     if (!json.is_array() || json.size() != 3) return false;
     return from_json(json[0], vector[0]) && from_json(json[1], vector[1]) && from_json(json[2], vector[2]);
   }
-  static bool from_json(const nlohmann::json& json, std::vector<HandleForce>& values) {
-    bool ok = json.is_array();
-    for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
-    return ok;
-  }
   static bool from_json(const nlohmann::json& json, HandleForce& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, EffectCost& value) { return from_object(json, value); }
+  static bool from_json(const nlohmann::json& json, EffectVerdict& value) { return from_object(json, value); }
+  static bool from_json(const nlohmann::json& json, EffectChoice& value) { return from_object(json, value); }
   template <class T>
   static bool from_object(const nlohmann::json& json, T& value) {
     if (!json.is_object()) return false;
@@ -182,7 +204,9 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("loops", summary.loops);
   visit("nodes", summary.nodes);
   visit("dofs", summary.dofs);
+  visit("nonzeros", summary.nonzeros);
   visit("effects", summary.effects);
+  visit("effect_choice", summary.effect_choice);
   visit("effect_cost", summary.effect_cost);
   visit("sim_time_s", summary.sim_time_s);
   visit("wall_s", summary.wall_s);

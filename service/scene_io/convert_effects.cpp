@@ -135,7 +135,7 @@ void write_effects_of_motion(const Effects& effects, v1::Effects& message) {
     damping.set_stretch_ns(effects.damping->stretch_ns);
     damping.set_bending_nm2s(effects.damping->bending_nm2s);
     damping.set_wrapping_ns(effects.damping->wrapping_ns);
-    damping.set_sliding_ns_per_m(effects.damping->sliding_ns_per_m);
+    if (effects.damping->sliding_ns_per_m) damping.set_sliding_ns_per_m(*effects.damping->sliding_ns_per_m);
   }
 }
 
@@ -187,6 +187,11 @@ void write_sliding_effects(const Effects& effects, v1::Effects& message) {
 
 Effects effects_from_message(const v1::Effects& message, Issues& issues) {
   Effects effects;
+  if (message.has_auto_()) {
+    AutoEffects& automatic = effects.automatic.emplace();
+    if (message.auto_().has_tolerance_m()) automatic.tolerance_m = message.auto_().tolerance_m();
+    if (message.auto_().has_window_s()) automatic.window_s = message.auto_().window_s();
+  }
   read_effects_of_motion(message, effects, issues);
   read_elastic_effects(message, effects);
   read_sliding_effects(message, effects);
@@ -200,6 +205,11 @@ Effects effects_from_message(const v1::Effects& message, Issues& issues) {
 }
 
 void write_effects(const Effects& effects, v1::Effects& message) {
+  if (const auto& automatic = effects.automatic) {
+    v1::AutoEffects& to = *message.mutable_auto_();
+    if (automatic->tolerance_m) to.set_tolerance_m(*automatic->tolerance_m);
+    if (automatic->window_s) to.set_window_s(*automatic->window_s);
+  }
   write_effects_of_motion(effects, message);
   write_elastic_effects(effects, message);
   write_sliding_effects(effects, message);

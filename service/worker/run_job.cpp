@@ -9,6 +9,7 @@
 #include "platform/version.h"
 #include "scene_io/issue_text.h"
 #include "scene_io/load_scene.h"
+#include "study/choose_effects.h"
 
 namespace slipstitch {
 namespace {
@@ -19,12 +20,12 @@ RunSummary failed(std::string message) {
   return summary;
 }
 
-RunSummary run_scene(const RunDir& dir, int threads, const RunHooks& hooks) {
+RunSummary run_stored_scene(const RunDir& dir, int threads, const RunHooks& hooks) {
   const Result<std::string> text = read_scene(dir);
   if (!text) return failed(text.error);
   const LoadResult loaded = load_scene_json(*text);
   if (const auto* issues = std::get_if<Issues>(&loaded)) return failed(issue_lines(*issues));
-  return run(std::get<LoadedScene>(loaded).scene, threads, hooks);
+  return run_scene(std::get<LoadedScene>(loaded).scene, threads, hooks);
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ Result<RunSummary> run_job(const RunDir& dir, RecorderOptions options) {
   set_blas_threads(job->threads);
   options.control_interval_s = 0.0;
   RunRecorder recorder(dir, std::move(options));
-  RunSummary summary = run_scene(dir, job->threads, recorder.hooks());
+  RunSummary summary = run_stored_scene(dir, job->threads, recorder.hooks());
   summary.scene = job->scene_name;
   summary.threads = job->threads;
   summary.blas = to_string(blas_in_use());

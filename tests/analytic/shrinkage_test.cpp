@@ -4,6 +4,7 @@
 #include <array>
 
 #include "analytic_helpers.h"
+#include "model/effect_list.h"
 #include "model/select.h"
 #include "sim/frame.h"
 #include "sim/prepare.h"
@@ -100,10 +101,7 @@ TEST(Shrinkage, AFreeSwatchShrinksInBothDirections) {
   const auto settled = [](bool shrinks) {
     Scene scene = test::knit_scene("stockinette", 4, 4);
     test::use_demo_feel(scene.effects);
-    scene.effects.sliding.reset();
-    scene.effects.sliding_friction.reset();
-    scene.effects.contact_length.reset();
-    scene.effects.parallel_contact.reset();
+    remove_effect(scene.effects, *find_effect("sliding"));
     if (shrinks) scene.effects.shrinkage.emplace().keyframes = {{0.2, kFactor}};
     EXPECT_TRUE(check(scene).empty());
     Simulation sim(prepare(scene, {}).model);

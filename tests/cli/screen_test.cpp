@@ -84,6 +84,21 @@ TEST(SummaryText, ShowsWhatWasMeasuredAndNothingElse) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }
 
+TEST(SummaryText, SaysWhatWasLeftOutAndThatItIsNoGuarantee) {
+  nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}};
+  auto& choice = json["effect_choice"];
+  choice = {{"window_s", 0.1}, {"tolerance_m", 5e-4}, {"wall_s", 1.0}, {"verdicts", nlohmann::ordered_json::array()}};
+  EXPECT_NE(summary_text(json).find("left out  nothing; as seen in the first 0.1 s"), std::string::npos);
+  choice["verdicts"] = {{{"effect", "air_drag"}, {"kept", false}, {"why", "does not matter"}, {"difference_m", 2e-4}},
+                        {{"effect", "gravity"}, {"kept", true}, {"why", "matters"}, {"difference_m", 2e-2}},
+                        {{"effect", "colliders"}, {"kept", false}, {"why", "cannot act"}, {"difference_m", nullptr}}};
+  const std::string text = summary_text(json);
+  for (const char* part : {"air_drag: does not matter (0.2 mm)\n", "colliders: cannot act\n", "first 0.1 s, to 0.5 mm",
+                           "no guarantee"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  EXPECT_EQ(text.find("gravity"), std::string::npos) << text;
+}
+
 TEST(SummaryText, ShowsTheForcesOfAFewHandles) {
   nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}, {"handles", nlohmann::ordered_json::array()}};
   const auto lines_with_handles = [&] {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "knit_helpers.h"
+#include "model/effect_list.h"
 #include "support/collider_shapes.h"
 
 namespace slipstitch {
@@ -171,6 +172,15 @@ const std::vector<Bad>& bad_scenes() {
       {"effects.damping.bending_nm2s", [](Scene& s) { s.effects.damping->bending_nm2s = kInf; }},
       {"effects.damping.wrapping_ns", [](Scene& s) { s.effects.damping->wrapping_ns = -1.0; }},
       {"effects.damping.sliding_ns_per_m", [](Scene& s) { s.effects.damping->sliding_ns_per_m = -1.0; }},
+      {"effects.damping.sliding_ns_per_m",
+       [](Scene& s) {
+         s.effects.damping->sliding_ns_per_m = 1.0;
+         for (const char* effect : {"contact_length", "parallel_contact", "sliding_friction"})
+           find_effect(effect)->remove(s.effects);
+         s.effects.sliding.reset();
+       }},
+      {"effects.auto.tolerance_m", [](Scene& s) { s.effects.automatic = AutoEffects{0.0, {}}; }},
+      {"effects.auto.window_s", [](Scene& s) { s.effects.automatic = AutoEffects{{}, kNan}; }},
       {"effects.self_collision.stiffness_n", [](Scene& s) { s.effects.self_collision->stiffness_n = 0.0; }},
       {"effects.colliders.colliders", [](Scene& s) { s.effects.colliders->colliders.clear(); }},
       {"effects.colliders.stiffness_n", [](Scene& s) { s.effects.colliders->stiffness_n = -1.0; }},
@@ -294,6 +304,14 @@ TEST(Check, NamesEachProblemOnceAtItsPlace) {
   }
 }
 
+TEST(Check, LeavesPrerequisitesToTheChoiceWhereItIsLeftToTheProgram) {
+  Scene scene = good_scene();
+  scene.effects.sliding.reset();
+  EXPECT_FALSE(check(scene).empty());
+  scene.effects.automatic.emplace();
+  EXPECT_TRUE(check(scene).empty());
+}
+
 TEST(Check, NamesAreShortAndPrintable) {
   for (const std::string& name :
        {std::string(201, 'n'), std::string("two\nlines"), std::string("\x1b[31mred"), std::string("\x7f")}) {
@@ -316,8 +334,8 @@ TEST(Check, NamesAllProblemsAtOnce) {
   scene.duration_s = kInf;
   std::vector<std::string> paths;
   for (const Issue& issue : check(scene)) paths.push_back(issue.path);
-  EXPECT_EQ(paths, (std::vector<std::string>{"yarn.radius_m", "effects.sliding_friction", "effects.contact_length",
-                                             "effects.parallel_contact", "handles[0].motion[1].t", "duration_s"}));
+  EXPECT_EQ(paths, (std::vector<std::string>{"yarn.radius_m", "effects.contact_length", "effects.parallel_contact",
+                                             "effects.sliding_friction", "handles[0].motion[1].t", "duration_s"}));
 }
 
 TEST(Check, HoldsTheLimitsItIsGiven) {

@@ -16,13 +16,14 @@ study: math solve model collide force sim
 platform:
 scene_io: CORE proto
 formats: CORE
+report: CORE
 run_dir: CORE scene_io formats platform
 jobs: CORE scene_io formats run_dir platform
 grpc: CORE scene_io formats run_dir platform jobs proto stubs
 rest: CORE scene_io formats run_dir platform jobs proto
 worker: CORE scene_io formats run_dir platform jobs proto
 server: CORE scene_io formats run_dir platform jobs grpc rest worker proto stubs
-cli: CORE scene_io formats run_dir platform jobs grpc server proto stubs
+cli: CORE report scene_io formats run_dir platform jobs grpc server proto stubs
 TABLE
 core='math solve model collide force sim study'
 

@@ -17,8 +17,10 @@ RunSummary full_summary() {
   summary.loops = 1;
   summary.nodes = 2;
   summary.dofs = 3;
+  summary.nonzeros = 17;
   summary.effects = {"stretch", "bending"};
   summary.effect_cost = {{"stretch", {10, 20, 30, 40}}};
+  summary.effect_choice = EffectChoice{0.1, 5e-4, 2.5, {{"wind", false, "none", 1e-6}, {"inertia", true, "always", {}}}};
   summary.sim_time_s = 0.1;
   summary.wall_s = 1.0 / 3.0;
   summary.frames = 4;
@@ -82,7 +84,7 @@ TEST(RunJson, SummaryHasThePromisedKeys) {
   for (const std::string& key : promised) EXPECT_TRUE(keys.contains(key)) << key;
   const std::set<std::string> extra{"message",           "frames",      "convex_hessians", "residual_unit",
                                     "max_slid_m",        "mean_slid_m", "faded_wrap_share", "faded_wrap_share_interior",
-                                    "wrap_ridge_entries", "handles", "effect_cost"};
+                                    "wrap_ridge_entries", "handles", "effect_cost", "effect_choice", "nonzeros"};
   EXPECT_EQ(keys.size(), promised.size() + extra.size());
   for (const std::string& key : extra) EXPECT_TRUE(keys.contains(key)) << key;
 }
@@ -96,6 +98,10 @@ TEST(RunJson, SummaryNamesItsMembersInTheStruct) {
   EXPECT_EQ(json["effects"][1], "bending");
   EXPECT_EQ(json["threads"], 2);
   EXPECT_EQ(json["effect_cost"].dump(), R"({"stretch":{"stencils":10,"bytes":20,"nonzeros":30,"evaluations":40}})");
+  EXPECT_EQ(json["effect_choice"].dump(),
+            R"({"window_s":0.1,"tolerance_m":0.0005,"wall_s":2.5,"verdicts":[)"
+            R"({"effect":"wind","kept":false,"why":"none","difference_m":1e-06},)"
+            R"({"effect":"inertia","kept":true,"why":"always","difference_m":null}]})");
   EXPECT_EQ(json["handles"][0].dump(), R"({"reaction_n":[1.0,-2.0,0.25],"max_reaction_n":3.0,"max_reaction_t_s":0.5})");
   EXPECT_EQ(json["handles"][1].dump(),
             R"({"reaction_n":[null,null,null],"max_reaction_n":null,"max_reaction_t_s":null})");

@@ -6,6 +6,7 @@
 
 #include <set>
 
+#include "model/effect_list.h"
 #include "scene_io/json_parse.h"
 #include "scene_io/message_json.h"
 #include "scene_io/read_message.h"
@@ -143,25 +144,17 @@ TEST(Convert, AnEmptyMessageHasTheDefaultsOfTheCore) {
   for (int i = 0; i < v1::Effects::descriptor()->field_count(); ++i) {
     effects.GetReflection()->MutableMessage(&effects, v1::Effects::descriptor()->field(i));
   }
-  Effects& on = expected.effects;
-  on.inertia.emplace();
-  on.gravity.emplace();
-  on.stretch.emplace();
-  on.bending.emplace();
-  on.bending_jamming.emplace();
-  on.wrapping.emplace();
-  on.contact_length.emplace();
-  on.parallel_contact.emplace();
-  on.sliding.emplace();
-  on.sliding_friction.emplace();
-  on.damping.emplace();
-  on.air_drag.emplace();
-  on.wind.emplace();
-  on.shrinkage.emplace();
-  on.plasticity.emplace();
-  on.colliders.emplace();
-  on.self_collision.emplace();
+  expected.effects.automatic.emplace();
+  for (const EffectEntry& effect : effect_list()) effect.add(expected.effects);
   EXPECT_EQ(difference(there_and_back(all_on), message_from_scene(expected)), "");
+}
+
+TEST(Convert, TheSchemaHasTheEffectsOfTheCoreByTheirNames) {
+  std::set<std::string> schema, core{"auto"};
+  for (int i = 0; i < v1::Effects::descriptor()->field_count(); ++i)
+    schema.insert(v1::Effects::descriptor()->field(i)->name());
+  for (const EffectEntry& effect : effect_list()) core.insert(effect.name);
+  EXPECT_EQ(schema, core);
 }
 
 TEST(Convert, PresetsAndWorkedRowsMeanTheirCharts) {

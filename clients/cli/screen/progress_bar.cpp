@@ -71,13 +71,23 @@ int ProgressBar::columns() const {
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
+bool ProgressBar::time_to_draw() {
+  const auto now = std::chrono::steady_clock::now();
+  if (drawn_at_ && now - *drawn_at_ < kRedrawInterval) return false;
+  drawn_at_ = now;
+  return true;
+}
+
 void ProgressBar::show(const Progress& progress, std::optional<double> eta_s) {
   if (!terminal_) return;
   last_ = progress;
-  const auto now = std::chrono::steady_clock::now();
-  if (drawn_at_ && now - *drawn_at_ < kRedrawInterval) return;
-  drawn_at_ = now;
-  draw(progress_line(progress, eta_s, columns()));
+  if (time_to_draw()) draw(progress_line(progress, eta_s, columns()));
+}
+
+void ProgressBar::show_share(double share, const std::string& what) {
+  if (!terminal_ || !time_to_draw()) return;
+  const std::string line = bar(std::clamp(share, 0.0, 1.0)) + " " + percent(std::clamp(share, 0.0, 1.0)) + "  " + what;
+  draw(line.substr(0, static_cast<std::size_t>(columns() - 1)));
 }
 
 void ProgressBar::show(const std::string& text) {

@@ -23,12 +23,14 @@ class ProgressBar {
 
   void show(const Progress& progress, std::optional<double> eta_s);
   void show(const std::string& text);  // at once
+  void show_share(double share, const std::string& what);  // share in [0, 1] of all that is to be done
   /// Replaces the bar by its last state as a line that stays. Nothing when nothing was shown.
   void finish();
   /// Takes the bar away, e.g. before another message.
   void clear();
 
  private:
+  bool time_to_draw();
   void draw(const std::string& line);
   int columns() const;
 

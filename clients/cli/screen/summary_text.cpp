@@ -59,6 +59,24 @@ std::string effects_line(const Json& json) {
   return names.empty() ? "none" : lines(names);
 }
 
+// What a scene with effects.auto left out, and what was looked at.
+std::string choice_lines(const Json& json) {
+  const auto found = json.find("effect_choice");
+  if (found == json.end() || !found->is_object()) return {};
+  const auto verdicts = found->find("verdicts");
+  if (verdicts == found->end() || !verdicts->is_array()) return {};
+  std::string all;
+  for (const Json& verdict : *verdicts) {
+    if (verdict.value("kept", true)) continue;
+    all += text(verdict, "effect") + ": " + text(verdict, "why");
+    if (const auto moved = number(verdict, "difference_m")) all += " (" + metres_text(*moved) + ")";
+    all += "\n";
+  }
+  const auto window = number(*found, "window_s"), tolerance = number(*found, "tolerance_m");
+  return (all.empty() ? "nothing; " : all) + "as seen in the first " + short_number(window.value_or(0.0)) +
+         " s, to " + metres_text(tolerance.value_or(0.0)) + "; no guarantee for later";
+}
+
 std::string time_line(const Json& json) {
   const auto time = number(json, "sim_time_s");
   if (!time) return {};
@@ -171,6 +189,7 @@ std::string summary_text(const Json& json, const Rows& more) {
   };
   add("fabric", size_line(json));
   add("effects", effects_line(json));
+  add("left out", choice_lines(json));
   add("simulated", time_line(json));
   add("Newton", newton_line(json));
   add("sliding", sliding_line(json));

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "study/choose_effects.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "model/effect_list.h"
+#include "model/remarks.h"
+#include "sim/prepare.h"
+#include "study/measured_run.h"
+#include "study/reach.h"
+
+namespace slipstitch {
+namespace {
+
+/// What a run of the window can tell about, dearest first.
+constexpr std::array kTried{"sliding",          "wrapping", "bending",  "inertia", "contact_length",
+                            "sliding_friction", "damping",  "air_drag", "wind",    "gravity"};
+
+}  // namespace
+
+Scene with_candidates(const Scene& scene) {
+  Scene listed = scene;
+  if (!scene.effects.automatic) return listed;
+  listed.effects.automatic.reset();
+  for (const EffectEntry& effect : effect_list())
+    if (!effect.needs_parameters && !effect.listed(listed.effects) && std::string_view(effect.name) != "plasticity")
+      effect.add(listed.effects);
+  return listed;
+}
+
+namespace {
+
+class Chooser {
+ public:
+  Chooser(const Scene& scene, int threads, const std::function<bool()>& should_stop)
+      : threads_(threads), should_stop_(should_stop), chosen_{with_candidates(scene), {}, false} {
+    EffectChoice& choice = chosen_.choice;
+    const AutoEffects& asked = *scene.effects.automatic;
+    choice.tolerance_m = asked.tolerance_m.value_or(scene.yarn.radius_m);
+    const double usual = std::max(scene.duration_s / 10.0, 10.0 * span_of(scene).step_s);
+    choice.window_s = std::min(asked.window_s.value_or(usual), scene.duration_s);
+  }
+
+  ChosenScene go() {
+    const auto start = std::chrono::steady_clock::now();
+    drop_idle();
+    drop_what_cannot_act();
+    verdict("stretch", true, "yarn has no length without it");
+    try_the_others();
+    auto& verdicts = chosen_.choice.verdicts;
+    std::stable_sort(verdicts.begin(), verdicts.end(), [](const EffectVerdict& a, const EffectVerdict& b) {
+      return find_effect(a.effect) < find_effect(b.effect);
+    });
+    chosen_.choice.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return std::move(chosen_);
+  }
+
+ private:
+  Effects& effects() { return chosen_.scene.effects; }
+
+  void verdict(const std::string& effect, bool kept, const std::string& why, std::optional<double> difference = {}) {
+    chosen_.choice.verdicts.push_back({effect, kept, why, difference});
+  }
+
+  void drop(const EffectEntry& effect, const std::string& why, std::optional<double> difference = {}) {
+    verdict(effect.name, false, why, difference);
+    for (const std::string& other : remove_effect(effects(), effect)) {
+      auto& verdicts = chosen_.choice.verdicts;
+      std::erase_if(verdicts, [&](const EffectVerdict& v) { return v.effect == other; });
+      verdict(other, false, std::string("needs ") + effect.name + ", which is left out");
+    }
+  }
+
+  void drop_idle() {
+    for (const IdleEffect& idle : idle_effects(chosen_.scene))
+      if (const EffectEntry* effect = find_effect(idle.effect); effect->listed(effects()))
+        drop(*effect, "cannot matter: " + idle.why);
+  }
+
+  void keep(const char* effect, const std::string& why) {
+    if (find_effect(effect)->listed(effects())) verdict(effect, true, why);
+  }
+
+  void drop_what_cannot_act() {
+    Prepared prepared = prepare(chosen_.scene, should_stop_);
+    if (prepared.failure || prepared.cancelled) return;  // the run will say so
+    Simulation sim(std::move(prepared.model));
+    const EffectCosts costs = sim.effect_costs();
+    drop_or_keep_colliders(sim);
+    keep("self_collision", "no bound shows that parts of the fabric never meet");
+    for (const char* late : {"parallel_contact", "bending_jamming"}) {
+      const EffectEntry& effect = *find_effect(late);
+      if (!effect.listed(effects())) continue;
+      if (!costs.contains(late)) {
+        drop(effect, "cannot act: there is no place in the yarn for it");
+      } else {
+        verdict(late, true, "no bound shows that it never switches on");
+      }
+    }
+    if (effects().plasticity && effects().plasticity->yield_angle_rad >= kPi) {
+      drop(*find_effect("plasticity"), "cannot act: no bend angle exceeds pi");
+    } else {
+      keep("plasticity", "no bound shows that no bend ever yields");
+    }
+    keep("shrinkage", "its script may act after the window");
+  }
+
+  void drop_or_keep_colliders(Simulation& sim) {
+    if (!effects().colliders) return;
+    auto& colliders = effects().colliders->colliders;
+    const std::vector<int> out = colliders_out_of_reach(sim, span_of(chosen_.scene));
+    for (auto i = out.rbegin(); i != out.rend(); ++i) colliders.erase(colliders.begin() + *i);
+    const std::string found =
+        out.empty() ? "" : std::to_string(out.size()) + " can never be reached and are left out; ";
+    if (colliders.empty()) {
+      drop(*find_effect("colliders"), "cannot act: a bound shows that none is ever reached");
+    } else {
+      verdict("colliders", true, found + "no bound shows that the fabric never comes near");
+    }
+  }
+
+  /// The scene with these effects, as far as the window.
+  Scene window_of(const Effects& with) const {
+    Scene scene = chosen_.scene;
+    scene.effects = with;
+    scene.duration_s = chosen_.choice.window_s;
+    scene.frames_per_s = std::max(scene.frames_per_s, 4.0 / chosen_.choice.window_s);
+    return scene;
+  }
+
+  static double cost_of(const MeasuredRun& run) {
+    return static_cast<double>(run.summary.newton_iterations) * static_cast<double>(run.summary.nonzeros);
+  }
+
+  void try_the_others() {
+    RecordedFrames frames;
+    MeasureOptions options;
+    options.threads = threads_;
+    options.should_stop = should_stop_;
+    options.record = &frames;
+    const MeasuredRun all = measure_run(window_of(effects()), options);
+    chosen_.cancelled = all.summary.status == RunStatus::cancelled;
+    options.record = nullptr;
+    options.reference = &frames;
+    options.max_effort = 2 * all.effort + 100;  // what takes more is no cheaper
+    double cost = cost_of(all);
+    for (const char* name : kTried) {
+      const EffectEntry& effect = *find_effect(name);
+      if (chosen_.cancelled || !effect.listed(effects())) continue;
+      if (all.summary.status == RunStatus::failed) {
+        verdict(name, true, "the window does not run: " + all.summary.message);
+        continue;
+      }
+      Effects without = effects();
+      remove_effect(without, effect);
+      const MeasuredRun run = measure_run(window_of(without), options);
+      judge(effect, run, cost);
+    }
+  }
+
+  void judge(const EffectEntry& effect, const MeasuredRun& run, double& cost) {
+    if (should_stop_ && should_stop_()) {
+      chosen_.cancelled = true;
+    } else if (run.summary.status != RunStatus::succeeded) {
+      verdict(effect.name, true,
+              run.summary.status == RunStatus::failed ? "the window does not run without it"
+                                                      : "the window is dearer without it");
+    } else if (run.difference.max_m > chosen_.choice.tolerance_m) {
+      verdict(effect.name, true, "it matters in the window", run.difference.max_m);
+    } else if (cost_of(run) > cost) {
+      verdict(effect.name, true, "it does not matter in the window, but saves more than it costs",
+              run.difference.max_m);
+    } else {
+      cost = cost_of(run);
+      drop(effect, "it does not matter in the window", run.difference.max_m);
+    }
+  }
+
+  int threads_;
+  const std::function<bool()>& should_stop_;
+  ChosenScene chosen_;
+};
+
+}  // namespace
+
+ChosenScene choose_effects(const Scene& scene, int threads, const std::function<bool()>& should_stop) {
+  return Chooser(scene, threads, should_stop).go();
+}
+
+RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
+  if (!scene.effects.automatic || std::holds_alternative<AccuracyNumerics>(scene.numerics))
+    return run(scene, threads, hooks);
+  ChosenScene chosen = choose_effects(scene, threads, hooks.should_stop);
+  RunSummary summary;
+  if (chosen.cancelled) {
+    summary.scene = scene.name;
+    summary.status = RunStatus::cancelled;
+    summary.threads = threads;
+    return summary;
+  }
+  summary = run(chosen.scene, threads, hooks);
+  summary.effect_choice = std::move(chosen.choice);
+  return summary;
+}
+
+}  // namespace slipstitch

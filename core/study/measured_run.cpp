@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "study/measured_run.h"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace slipstitch {
+namespace {
+
+double heap_in_use() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+class DifferenceSum {
+ public:
+  void add(const VecX& x, const VecX& reference) {
+    const Eigen::Index coords = std::min(x.size(), reference.size());
+    for (Eigen::Index i = 0; i < coords; i += 3) {
+      const double square = (x.segment<3>(i) - reference.segment<3>(i)).squaredNorm();
+      largest_ = std::max(largest_, square);
+      sum_ += square;
+    }
+    count_ += static_cast<double>(coords) / 3.0;
+  }
+  FrameDifference result() const { return {std::sqrt(largest_), count_ > 0.0 ? std::sqrt(sum_ / count_) : 0.0}; }
+
+ private:
+  double largest_ = 0.0, sum_ = 0.0, count_ = 0.0;
+};
+
+double stored_energy(const RunSummary& summary) {
+  double sum = 0.0;
+  for (const auto& [term, energy] : summary.energy_j)
+    if (term != "kinetic" && term != "gravity" && term != "dead_load") sum += energy;
+  return sum;
+}
+
+void derive_forces(const Scene& scene, MeasuredRun& run) {
+  run.stored_j = stored_energy(run.summary);
+  if (scene.effects.stretch && run.summary.max_stretch) {
+    run.tension_n = std::max(0.0, scene.yarn.stretch_n * (*run.summary.max_stretch - 1.0));
+  }
+  for (const HandleForce& handle : run.summary.handles) {
+    if (std::isfinite(handle.max_reaction_n)) run.reaction_n = std::max(run.reaction_n, handle.max_reaction_n);
+  }
+}
+
+}  // namespace
+
+MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options) {
+  MeasuredRun measured;
+  DifferenceSum difference;
+  double recorded = 0.0;
+  const double before = heap_in_use();
+  Eigen::Index position_coords = 0;
+  RunHooks hooks;
+  hooks.on_header = [&](const FrameHeader& header) { position_coords = 3 * header.topology.num_nodes; };
+  hooks.on_frame = [&](const Frame& frame) {
+    const auto index = static_cast<std::size_t>(frame.index);
+    const VecX x = frame.q.head(position_coords);
+    if (options.reference && index < options.reference->x.size()) difference.add(x, options.reference->x[index]);
+    if (!options.record) return;
+    options.record->x.push_back(x);
+    recorded += static_cast<double>(x.size()) * sizeof(double);
+  };
+  hooks.on_progress = [&](const Progress& progress) {
+    measured.memory_bytes = std::max(0.0, heap_in_use() - before - recorded);
+    if (options.on_progress && progress.duration_s > 0.0) options.on_progress(progress.t / progress.duration_s);
+  };
+  hooks.should_stop = [&] {
+    ++measured.effort;
+    return (options.max_effort > 0 && measured.effort > options.max_effort) ||
+           (options.should_stop && options.should_stop());
+  };
+  measured.summary = run(scene, options.threads, hooks);
+  measured.difference = difference.result();
+  derive_forces(scene, measured);
+  return measured;
+}
+
+}  // namespace slipstitch

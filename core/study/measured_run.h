@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/run.h"
+
+namespace slipstitch {
+
+/// Positions of a run's frames.
+struct RecordedFrames {
+  std::vector<VecX> x;  // of every node, in the order of the nodes [m]
+};
+
+/// Differences between the frames of two runs, as far as both have come, over the nodes that both have.
+struct FrameDifference {
+  double max_m = 0.0, rms_m = 0.0;  // of any node at any frame; root mean square over nodes and frames
+};
+
+/// What one run took and gave.
+struct MeasuredRun {
+  RunSummary summary;
+  double memory_bytes = 0.0;  // heap in use at the last step, less what was in use before and the recorded frames
+  long effort = 0;            // times the run asked whether to stop, about once a Newton iteration
+  double stored_j = 0.0;      // energy in yarn and contacts at the end, without weight and loads
+  double tension_n = 0.0;     // largest in any segment at any step, EA (stretch - 1)
+  double reaction_n = 0.0;    // largest of any handle at any step; 0 without handles
+  FrameDifference difference;
+};
+
+struct MeasureOptions {
+  int threads = 1;
+  RecordedFrames* record = nullptr;               // filled
+  const RecordedFrames* reference = nullptr;      // what `difference` is taken to
+  long max_effort = 0;                            // cancels the run beyond; 0: never
+  std::function<void(double share)> on_progress;  // of the run done, 0 to 1; may be empty
+  std::function<bool()> should_stop;              // may be empty
+};
+
+/// Runs a checked scene whose effects are chosen.
+MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options);
+
+}  // namespace slipstitch

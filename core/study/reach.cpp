@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "study/reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <queue>
+
+#include "collide/rigid_body.h"
+
+namespace slipstitch {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// Nodes joined by yarn, and the rest lengths of the yarn between them.
+struct YarnGraph {
+  struct Edge {
+    int node;
+    double length;
+  };
+  std::vector<std::vector<Edge>> edges;  // (num_nodes)
+  std::vector<int> part;                 // (num_nodes), by number of part
+  int num_parts = 0;
+};
+
+bool has_segment(const Topology& topology, int visit) {
+  return topology.segment_kind[static_cast<std::size_t>(visit)] != SegmentKind::none;
+}
+
+YarnGraph graph_of(const Topology& topology) {
+  YarnGraph graph;
+  graph.edges.resize(static_cast<std::size_t>(topology.num_nodes));
+  for (int i = 0; i < topology.num_visits(); ++i) {
+    if (!has_segment(topology, i)) continue;
+    const int a = topology.visit_node[static_cast<std::size_t>(i)],
+              b = topology.visit_node[static_cast<std::size_t>(i) + 1];
+    graph.edges[static_cast<std::size_t>(a)].push_back({b, rest_length(topology, i)});
+    graph.edges[static_cast<std::size_t>(b)].push_back({a, rest_length(topology, i)});
+  }
+  graph.part.assign(graph.edges.size(), -1);
+  for (int start = 0; start < topology.num_nodes; ++start) {
+    const auto s = static_cast<std::size_t>(start);
+    if (graph.part[s] >= 0 || graph.edges[s].empty()) continue;
+    std::vector<int> open{start};
+    graph.part[s] = graph.num_parts;
+    while (!open.empty()) {
+      const int node = open.back();
+      open.pop_back();
+      for (const YarnGraph::Edge& edge : graph.edges[static_cast<std::size_t>(node)]) {
+        int& part = graph.part[static_cast<std::size_t>(edge.node)];
+        if (part < 0) {
+          part = graph.num_parts;
+          open.push_back(edge.node);
+        }
+      }
+    }
+    ++graph.num_parts;
+  }
+  return graph;
+}
+
+/// Longest of the shortest paths of yarn from the sources to the nodes that they reach [m].
+double farthest(const YarnGraph& graph, const std::vector<int>& sources) {
+  std::vector<double> distance(graph.edges.size(), kFar);
+  using Entry = std::pair<double, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  for (const int source : sources) queue.emplace(distance[static_cast<std::size_t>(source)] = 0.0, source);
+  double far = 0.0;
+  while (!queue.empty()) {
+    const auto [d, node] = queue.top();
+    queue.pop();
+    if (d > distance[static_cast<std::size_t>(node)]) continue;
+    far = std::max(far, d);
+    for (const YarnGraph::Edge& edge : graph.edges[static_cast<std::size_t>(node)]) {
+      double& other = distance[static_cast<std::size_t>(edge.node)];
+      if (d + edge.length < other) queue.emplace(other = d + edge.length, edge.node);
+    }
+  }
+  return far;
+}
+
+struct PartFacts {
+  std::vector<int> nodes, held;
+  double length = 0.0, mass = 0.0;                      // of its yarn [m], [kg]
+  double load = 0.0;                                    // sum of magnitudes [N]
+  Vec3 centre = Vec3::Zero(), momentum = Vec3::Zero();  // mass centre [m]; [kg m/s]
+};
+
+std::vector<PartFacts> facts_of(const Model& model, const YarnGraph& graph) {
+  const Topology& topology = model.topology;
+  std::vector<PartFacts> parts(static_cast<std::size_t>(graph.num_parts));
+  const auto part_of = [&](int node) { return graph.part[static_cast<std::size_t>(node)]; };
+  for (int n = 0; n < topology.num_nodes; ++n)
+    if (part_of(n) >= 0) parts[static_cast<std::size_t>(part_of(n))].nodes.push_back(n);
+  for (const ScriptedNodes& script : model.handles)
+    for (const int node : script.nodes)
+      if (part_of(node) >= 0) parts[static_cast<std::size_t>(part_of(node))].held.push_back(node);
+  for (int yarn = 0; yarn < topology.num_yarns(); ++yarn) {
+    const int first = topology.yarn_first[static_cast<std::size_t>(yarn)];
+    const int last = topology.yarn_first[static_cast<std::size_t>(yarn) + 1];
+    for (int i = first; i < last; ++i) {
+      if (!has_segment(topology, i)) continue;
+      const int a = topology.visit_node[static_cast<std::size_t>(i)],
+                b = topology.visit_node[static_cast<std::size_t>(i) + 1];
+      PartFacts& part = parts[static_cast<std::size_t>(part_of(a))];
+      const double length = rest_length(topology, i), mass = linear_density(model, yarn) * length;
+      part.length += length;
+      part.mass += mass;
+      part.centre += 0.5 * mass * (model.start_q.segment<3>(3 * a) + model.start_q.segment<3>(3 * b));
+      part.momentum += 0.5 * mass * (model.start_v.segment<3>(3 * a) + model.start_v.segment<3>(3 * b));
+    }
+  }
+  for (std::size_t i = 0; i < model.load_nodes.size(); ++i)
+    if (const int p = part_of(model.load_nodes[i]); p >= 0)
+      parts[static_cast<std::size_t>(p)].load += model.load_forces[i].norm();
+  for (PartFacts& part : parts) part.centre /= part.mass;
+  return parts;
+}
+
+/// Farthest end of a path of rest length s, of the energy e plus w times the displacement, which is at most start_m
+/// more than the path's length.
+double strained_length(double s, double stretch_n, double e, double w, double start_m) {
+  const double a = 2.0 * s / stretch_n, aw = a * w;
+  return s + 0.5 * (aw + std::sqrt(aw * aw + 4.0 * a * (e + w * (start_m + s))));
+}
+
+std::string work_not_known(const Model& model) {
+  const Effects& on = model.effects;
+  if (!on.inertia) return "there is no inertia";
+  if (!on.stretch) return "there is no stretch";
+  if (on.shrinkage) return "shrinkage does work";
+  if (on.wind) return "wind does work";
+  for (const ScriptedNodes& script : model.handles)
+    if (!script.motion.empty() || !script.velocity_m_per_s.isZero(0.0)) return "moving handles do work";
+  return {};
+}
+
+double start_energy(Simulation& sim) {
+  double sum = 0.0;
+  for (const auto& [term, energy] : sim.energies())
+    if (term != "gravity" && term != "dead_load") sum += std::max(0.0, energy);
+  return sum;
+}
+
+Vec3 gravity_of(const Model& model) {
+  return model.effects.gravity ? model.effects.gravity->acceleration_m_per_s2 : Vec3::Zero();
+}
+
+ReachPart held_part(const Model& model, const YarnGraph& graph, const PartFacts& facts, double energy) {
+  ReachPart part;
+  double start_m = 0.0;
+  for (const int node : facts.held) part.anchors.push_back(model.start_q.segment<3>(3 * node));
+  for (const int node : facts.nodes)
+    start_m = std::max(start_m, (model.start_q.segment<3>(3 * node) - part.anchors.front()).norm());
+  const double path = model.effects.sliding ? facts.length : farthest(graph, facts.held);
+  const double weight = facts.mass * gravity_of(model).norm() + facts.load;
+  part.radius = strained_length(path, model.yarn.stretch_n, energy, weight, start_m) + model.yarn.radius_m;
+  return part;
+}
+
+ReachPart free_part(const Model& model, const YarnGraph& graph, const PartFacts& facts, double energy) {
+  ReachPart part;
+  part.anchors = {facts.centre};
+  part.velocity = facts.momentum / facts.mass;
+  part.acceleration = gravity_of(model);
+  const double path = model.effects.sliding ? facts.length : 2.0 * farthest(graph, {facts.nodes.front()});
+  part.radius = strained_length(path, model.yarn.stretch_n, energy, 0.0, 0.0) + model.yarn.radius_m;
+  return part;
+}
+
+}  // namespace
+
+Reach bound_reach(Simulation& sim) {
+  const Model& model = sim.model();
+  Reach reach;
+  reach.no_bound = work_not_known(model);
+  if (!reach.no_bound.empty()) return reach;
+  const YarnGraph graph = graph_of(model.topology);
+  const double energy = start_energy(sim);
+  for (const PartFacts& facts : facts_of(model, graph)) {
+    if (!facts.held.empty()) {
+      reach.parts.push_back(held_part(model, graph, facts, energy));
+    } else if (model.effects.air_drag || facts.load > 0.0) {
+      reach.no_bound = model.effects.air_drag ? "air slows a free part" : "loads move a free part";
+      return reach;
+    } else {
+      reach.parts.push_back(free_part(model, graph, facts, energy));
+    }
+  }
+  return reach;
+}
+
+RunSpan span_of(const Scene& scene) {
+  const auto* fixed = std::get_if<FixedNumerics>(&scene.numerics);
+  return {scene.duration_s, (fixed != nullptr ? *fixed : FixedNumerics{}).time_step_s};
+}
+
+bool stays_out_of_reach(const Reach& reach, const Collider& collider, const RunSpan& span) {
+  if (!reach.no_bound.empty()) return false;
+  constexpr int kTimes = 200;
+  RigidBody body(collider);
+  const double dt = span.duration_s / kTimes;
+  for (int k = 0; k <= kTimes; ++k) {
+    const double t = k * dt;
+    body.move_to(t);
+    const Keyframe now = motion_at(collider.motion, t);
+    // Between two times body and part come closer by no more than their ways there.
+    for (const double other : {t - dt, t + dt}) {
+      const Keyframe then = motion_at(collider.motion, std::clamp(other, 0.0, span.duration_s));
+      const double moved = (then.translation_m - now.translation_m).norm();
+      const double turned = (then.rotation_rad - now.rotation_rad).norm();
+      for (const ReachPart& part : reach.parts) {
+        const double speed = part.velocity.norm() + part.acceleration.norm() * (t + dt);
+        for (const Vec3& anchor : part.anchors) {
+          const Vec3 p = anchor + part.velocity * t + 0.5 * t * t * part.acceleration;
+          const double lever = (p - centre_of(collider.shape) - now.translation_m).norm();
+          // Implicit Euler falls half a step times the speed too far.
+          const double slack = moved + turned * lever + speed * (dt + 0.5 * span.step_s);
+          if (body.distance(p).phi < part.radius + slack) return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+std::vector<int> colliders_out_of_reach(Simulation& sim, const RunSpan& span) {
+  std::vector<int> indices;
+  if (!sim.model().effects.colliders) return indices;
+  const Reach reach = bound_reach(sim);
+  const std::vector<Collider>& colliders = sim.model().effects.colliders->colliders;
+  for (std::size_t i = 0; i < colliders.size(); ++i)
+    if (stays_out_of_reach(reach, colliders[i], span)) indices.push_back(static_cast<int>(i));
+  return indices;
+}
+
+}  // namespace slipstitch

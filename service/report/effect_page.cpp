@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "model/effect_list.h"
+#include "report/effect_columns.h"
+#include "report/effect_notes.h"
+#include "report/effect_report.h"
+#include "report/svg.h"
+
+namespace slipstitch {
+namespace {
+
+constexpr std::string_view kHead = R"(<!doctype html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<style>
+body { font: 15px/1.5 system-ui, Helvetica, Arial, sans-serif; color: #222; background: #fff; margin: 2rem auto;
+       max-width: 75rem; padding: 0 1rem; }
+h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
+.wide { overflow-x: auto; } svg { max-width: 100%; height: auto; }
+table { border-collapse: collapse; font-size: 13px; white-space: nowrap; }
+th, td { padding: .25rem .6rem; text-align: right; border-bottom: 1px solid #e3e3e3; }
+th:first-child, td:first-child, th:nth-child(2), td:nth-child(2) { text-align: left; }
+td.why { white-space: normal; text-align: left; color: #666; font-style: italic; }
+code { background: #f3f3f3; padding: .1rem .3rem; }
+dt { font-weight: 600; margin-top: .6rem; } dd { margin: 0; max-width: 60rem; }
+</style>
+)";
+
+std::string table_html(const EffectStudy& study) {
+  std::string text = "<div class=\"wide\"><table>\n<tr><th>effect</th><th>in the scene</th>";
+  for (const EffectColumn& column : effect_columns())
+    text += "<th title=\"" + escaped(column.meaning) + "\">" + escaped(column.title) + "</th>";
+  text += "</tr>\n";
+  for (const EffectPrice& price : study.prices) {
+    text += "<tr><td>" + escaped(effect_label(price)) + "</td>";
+    if (price.not_compared.empty()) {
+      text += "<td>" + std::string(presence_text(price)) + "</td>";
+      for (const EffectColumn& column : effect_columns())
+        text += "<td>" + escaped(cell_text(column.value(price, study))) + "</td>";
+    } else {
+      text += std::string("<td>") + (price.listed ? "on" : "off") + "</td><td class=\"why\" colspan=\"" +
+              std::to_string(effect_columns().size()) + "\">" + escaped(price.not_compared) + "</td>";
+    }
+    text += "</tr>\n";
+  }
+  return text + "</table></div>\n";
+}
+
+std::string columns_html() {
+  std::string text = "<dl>\n";
+  for (const EffectColumn& column : effect_columns())
+    text += "<dt>" + escaped(column.title) + "</dt><dd>" + escaped(column.meaning) + "</dd>\n";
+  return text + "</dl>\n";
+}
+
+std::string notes_html() {
+  std::string text = "<dl>\n";
+  for (const EffectEntry& effect : effect_list())
+    text += "<dt>" + escaped(effect.name) + "</dt><dd>" + escaped(effect_note(effect.name)) + "</dd>\n";
+  return text + "</dl>\n";
+}
+
+std::string section(const EffectReport& report) {
+  return "<h2>" + escaped(report.study.scene) + "</h2>\n<p>" + escaped(about_scene(report.study)) + "</p>\n" +
+         report.picture + effect_plot(report.study) + table_html(report.study);
+}
+
+}  // namespace
+
+std::string effect_page(std::span<const EffectReport> reports, const std::string& command) {
+  const std::string title = "What every effect changes and what it costs";
+  std::string text = std::string(kHead) + "<title>" + title + "</title>\n</head>\n<body>\n<h1>" + title + "</h1>\n<p>" +
+                     escaped(how_to_read()) + "</p>\n<p>Made by <code>" + escaped(command) + "</code></p>\n";
+  for (const EffectReport& report : reports) text += section(report);
+  return text + "<h2>The columns</h2>\n" + columns_html() + "<h2>The effects</h2>\n" + notes_html() +
+         "</body>\n</html>\n";
+}
+
+}  // namespace slipstitch

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+
+namespace slipstitch::test {
+namespace {
+
+class EffectsCommand : public ::testing::Test {
+ protected:
+  void SetUp() override { write_bytes(folder_ / "swing.json", swing_scene(0.1)); }
+  std::string scene() const { return folder_ / "swing.json"; }
+  std::string out() const { return folder_ / "out"; }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(EffectsCommand, WritesTheTableInEveryForm) {
+  const ProgramEnd end = slipstitch({"effects", scene(), "--out", out(), "--rounds", "1"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  for (const char* part : {"changes by", "costs, with / without", "  gravity", "+ air_drag", "- wind: says nothing"})
+    EXPECT_NE(end.out.find(part), std::string::npos) << part << "\n" << end.out;
+  EXPECT_NE(read_bytes(folder_ / "out" / "effects.csv").find("\"swing\",gravity,1,"), std::string::npos);
+  EXPECT_TRUE(read_bytes(folder_ / "out" / "swing.svg").starts_with("<svg "));
+  EXPECT_TRUE(read_bytes(folder_ / "out" / "effects.html").starts_with("<!doctype html>"));
+  const std::string document = read_bytes(folder_ / "out" / "effects.md");
+  for (const char* part : {"slipstitch effects ", "## swing\n", "| gravity | on |", "(swing.svg)",
+                           "(swing-growing.svg)", "**self_collision**"})
+    EXPECT_NE(document.find(part), std::string::npos) << part;
+}
+
+TEST_F(EffectsCommand, PrintsOneJsonObject) {
+  const ProgramEnd end = slipstitch({"effects", scene(), "--out", out(), "--rounds", "1", "--json"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  const auto json = nlohmann::json::parse(end.out);
+  EXPECT_EQ(json["studies"][0]["scene"], "swing");
+  EXPECT_EQ(json["studies"][0]["rounds"], 1);
+}
+
+TEST_F(EffectsCommand, RefusesWhatItCannotDo) {
+  EXPECT_EQ(slipstitch({"effects", scene()}).exit_code, 2);
+  EXPECT_EQ(slipstitch({"effects", scene(), "--out", out(), "--rounds", "0"}).exit_code, 2);
+  const ProgramEnd twice = slipstitch({"effects", scene(), scene(), "--out", out()});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_NE(twice.err.find("'swing'"), std::string::npos) << twice.err;
+  const ProgramEnd chosen = slipstitch({"effects", scene(), "--out", out(), "--set", "effects.auto={}"});
+  EXPECT_EQ(chosen.exit_code, 2);
+  EXPECT_NE(chosen.err.find("effects.auto"), std::string::npos) << chosen.err;
+  std::filesystem::create_directories(out());
+  write_bytes(folder_ / "out" / "mine.txt", "x");
+  const ProgramEnd occupied = slipstitch({"effects", scene(), "--out", out()});
+  EXPECT_EQ(occupied.exit_code, 2);
+  EXPECT_NE(occupied.err.find("not empty"), std::string::npos) << occupied.err;
+  EXPECT_EQ(read_bytes(folder_ / "out" / "mine.txt"), "x");
+}
+
+TEST_F(EffectsCommand, SaysWhichSceneDoesNotRun) {
+  const ProgramEnd end =
+      slipstitch({"effects", scene(), "--out", out(), "--rounds", "1", "--set",
+                  "fixed={\"time_step_s\": 0.01, \"max_newton_iterations\": 1, \"smallest_step_s\": 0.009}"});
+  EXPECT_EQ(end.exit_code, 1);
+  EXPECT_NE(end.err.find("swing does not run"), std::string::npos) << end.err;
+}
+
+}  // namespace
+}  // namespace slipstitch::test

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "study/choose_effects.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "model/effect_list.h"
+#include "sim/sim_scenes.h"
+
+namespace slipstitch::testing {
+namespace {
+
+/// A straight yarn that falls freely for 0.1 s.
+Scene falling_yarn() {
+  Scene scene = hanging_yarn();
+  scene.handles.clear();
+  scene.effects = {};
+  scene.effects.automatic.emplace();
+  scene.duration_s = 0.1;
+  scene.frames_per_s = 50.0;
+  scene.numerics = FixedNumerics{.time_step_s = 0.005};
+  return scene;
+}
+
+const EffectVerdict* verdict_on(const EffectChoice& choice, const std::string& effect) {
+  const auto found = std::find_if(choice.verdicts.begin(), choice.verdicts.end(),
+                                  [&](const EffectVerdict& v) { return v.effect == effect; });
+  return found == choice.verdicts.end() ? nullptr : &*found;
+}
+
+TEST(ChooseEffects, KeepsWhatMattersAndDropsWhatDoesNot) {
+  const ChosenScene chosen = choose_effects(falling_yarn(), 1, {});
+  const Effects& effects = chosen.scene.effects;
+  EXPECT_FALSE(effects.automatic);
+  EXPECT_TRUE(effects.gravity && effects.inertia && effects.stretch);
+  EXPECT_FALSE(effects.bending || effects.sliding || effects.wrapping || effects.air_drag || effects.damping);
+  EXPECT_DOUBLE_EQ(chosen.choice.window_s, 0.05);  // ten steps
+  EXPECT_DOUBLE_EQ(chosen.choice.tolerance_m, 1e-3);
+  const EffectVerdict* gravity = verdict_on(chosen.choice, "gravity");
+  ASSERT_TRUE(gravity && gravity->kept && gravity->difference_m);
+  EXPECT_NEAR(*gravity->difference_m, 0.5 * 9.81 * 0.05 * 0.055, 3e-4);  // less what the air takes
+  ASSERT_TRUE(verdict_on(chosen.choice, "wrapping"));
+  EXPECT_NE(verdict_on(chosen.choice, "wrapping")->why.find("only stitches wrap"), std::string::npos);
+  for (const EffectVerdict& verdict : chosen.choice.verdicts)
+    EXPECT_EQ(verdict.kept, find_effect(verdict.effect)->listed(effects)) << verdict.effect;
+}
+
+TEST(ChooseEffects, HoldsTheTolerance) {
+  Scene scene = falling_yarn();
+  scene.effects.automatic->tolerance_m = 1.0;
+  EXPECT_FALSE(choose_effects(scene, 1, {}).scene.effects.gravity);  // a centimetre does not matter now
+  scene.effects.automatic->tolerance_m = 1e-9;
+  scene.effects.automatic->window_s = 0.1;
+  const ChosenScene strict = choose_effects(scene, 1, {});
+  EXPECT_TRUE(strict.scene.effects.air_drag);
+  EXPECT_DOUBLE_EQ(strict.choice.window_s, 0.1);
+}
+
+TEST(ChooseEffects, DropsCollidersOnlyByABoundOverTheWholeRun) {
+  Scene scene = falling_yarn();
+  scene.effects.automatic->tolerance_m = 1.0;  // what the window shows is never the reason
+  scene.effects.air_drag = AirDragEffect{0.0, 0.0};
+  CollidersEffect& effect = scene.effects.colliders.emplace();
+  effect.colliders = {Collider{Plane{Vec3(0.0, -10.0, 0.0), Vec3::UnitY()}, 0.3, {}}};
+  scene.duration_s = 0.1;
+  const ChosenScene far = choose_effects(scene, 1, {});
+  EXPECT_FALSE(far.scene.effects.colliders);
+  EXPECT_NE(verdict_on(far.choice, "colliders")->why.find("bound"), std::string::npos);
+  scene.duration_s = 2.0;  // it would arrive after 1.4 s, long after the window
+  const ChosenScene near = choose_effects(scene, 1, {});
+  EXPECT_TRUE(near.scene.effects.colliders);
+  EXPECT_TRUE(verdict_on(near.choice, "colliders")->kept);
+}
+
+TEST(ChooseEffects, KeepsWhatCanSwitchOnLater) {
+  Scene scene = free_swatch(3, 3);
+  scene.effects = {};
+  scene.effects.automatic = AutoEffects{1.0, 0.01};
+  scene.effects.plasticity.emplace();
+  const ChosenScene chosen = choose_effects(scene, 1, {});
+  const Effects& effects = chosen.scene.effects;
+  EXPECT_TRUE(effects.self_collision);
+  if (effects.bending) {
+    EXPECT_TRUE(effects.bending_jamming && effects.plasticity);
+  }
+  if (effects.sliding) {
+    EXPECT_TRUE(effects.parallel_contact);
+  }
+  EXPECT_FALSE(verdict_on(chosen.choice, "self_collision")->difference_m);
+  scene.effects.plasticity->yield_angle_rad = kPi;
+  EXPECT_FALSE(choose_effects(scene, 1, {}).scene.effects.plasticity);
+}
+
+TEST(ChooseEffects, TheRunReportsTheChoice) {
+  const RunSummary summary = run_scene(falling_yarn(), 1, {});
+  EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;
+  ASSERT_TRUE(summary.effect_choice);
+  EXPECT_EQ(summary.effects, (std::vector<std::string>{"inertia", "gravity", "stretch", "self_collision"}));
+  EXPECT_GT(summary.effect_choice->wall_s, 0.0);
+  Scene listed = hanging_yarn();
+  listed.duration_s = 0.05;
+  EXPECT_FALSE(run_scene(listed, 1, {}).effect_choice);
+}
+
+TEST(ChooseEffects, CanBeCancelled) {
+  RunHooks hooks;
+  hooks.should_stop = [] { return true; };
+  const RunSummary summary = run_scene(falling_yarn(), 1, hooks);
+  EXPECT_EQ(summary.status, RunStatus::cancelled);
+}
+
+}  // namespace
+}  // namespace slipstitch::testing

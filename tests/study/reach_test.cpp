@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "study/reach.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/prepare.h"
+#include "sim/run.h"
+#include "sim/sim_scenes.h"
+
+namespace slipstitch::testing {
+namespace {
+
+Reach reach_of(const Scene& scene) {
+  Simulation sim(prepare(scene).model);
+  return bound_reach(sim);
+}
+
+/// Least distance that any node at any frame is inside of the reach; negative: one was outside.
+double least_slack(const Scene& scene, const Reach& reach) {
+  double slack = 1e300;
+  int nodes = 0;
+  RunHooks hooks;
+  hooks.on_header = [&](const FrameHeader& header) { nodes = header.topology.num_nodes; };
+  hooks.on_frame = [&](const Frame& frame) {
+    for (int n = 0; n < nodes; ++n) {
+      double inside = -1e300;
+      for (const ReachPart& part : reach.parts)
+        for (const Vec3& anchor : part.anchors) {
+          const Vec3 at = anchor + frame.t * part.velocity + 0.5 * frame.t * frame.t * part.acceleration;
+          inside = std::max(inside, part.radius - (frame.q.segment<3>(3 * n) - at).norm());
+        }
+      slack = std::min(slack, inside);
+    }
+  };
+  EXPECT_EQ(run(scene, 1, hooks).status, RunStatus::succeeded);
+  return slack;
+}
+
+TEST(Reach, HoldsAHangingYarnThatSwings) {
+  Scene scene = hanging_yarn();
+  scene.duration_s = 0.4;
+  const Reach reach = reach_of(scene);
+  ASSERT_EQ(reach.no_bound, "");
+  ASSERT_EQ(reach.parts.size(), 1U);
+  EXPECT_GE(least_slack(scene, reach), 0.0);
+  EXPECT_LT(reach.parts[0].radius, 0.4);  // the yarn is 0.2 m long: a bound, and not any number
+}
+
+TEST(Reach, HoldsAThrownSoftYarn) {
+  Scene scene = hanging_yarn();
+  scene.handles.clear();
+  scene.yarn.stretch_n = 0.05;
+  scene.initial_velocities = {{YarnPoint{0, 4}, Vec3(0.0, 2.0, 0.0)}};
+  scene.duration_s = 0.3;
+  const Reach reach = reach_of(scene);
+  ASSERT_EQ(reach.no_bound, "");
+  EXPECT_GE(least_slack(scene, reach), 0.0);
+  EXPECT_GT(reach.parts[0].velocity.y(), 0.1);
+}
+
+TEST(Reach, HoldsASwatchThatHangs) {
+  Scene scene = free_swatch(4, 4);
+  scene.effects.gravity.emplace();
+  scene.handles = {Handle{Corner::top_left, {}, false}};
+  scene.duration_s = 0.1;
+  const Reach reach = reach_of(scene);
+  ASSERT_EQ(reach.no_bound, "");
+  EXPECT_GE(least_slack(scene, reach), 0.0);
+}
+
+TEST(Reach, HasNoBoundWhereWorkIsDoneThatNobodyKnows) {
+  Scene scene = hanging_yarn();
+  scene.handles[0].velocity_m_per_s = Vec3(1.0, 0.0, 0.0);
+  EXPECT_NE(reach_of(scene).no_bound, "");
+  scene = hanging_yarn();
+  scene.effects.air_drag.emplace();
+  EXPECT_EQ(reach_of(scene).no_bound, "");  // air only takes energy from what is held
+  scene.effects.wind.emplace();
+  EXPECT_NE(reach_of(scene).no_bound, "");
+  scene = hanging_yarn();
+  scene.handles.clear();
+  scene.effects.air_drag.emplace();
+  EXPECT_NE(reach_of(scene).no_bound, "");
+  scene = hanging_yarn();
+  scene.effects.inertia.reset();
+  EXPECT_NE(reach_of(scene).no_bound, "");
+}
+
+TEST(Reach, TellsBodiesThatStayOutsideFromThoseThatComeNear) {
+  Scene scene = hanging_yarn();
+  const Reach reach = reach_of(scene);
+  const double r = reach.parts[0].radius;
+  const RunSpan span{1.0, 0.005};
+  const auto ball = [](double x, std::vector<Keyframe> motion = {}) {
+    return Collider{Sphere{Vec3(x, 0.0, 0.0), 0.01}, 0.3, std::move(motion)};
+  };
+  EXPECT_TRUE(stays_out_of_reach(reach, ball(-r - 0.02), span));
+  EXPECT_FALSE(stays_out_of_reach(reach, ball(-r), span));
+  const std::vector<Keyframe> in_and_out{{0.0}, {0.5, Vec3(1.0, 0.0, 0.0)}, {0.52}};
+  EXPECT_FALSE(stays_out_of_reach(reach, ball(-r - 0.9, in_and_out), span));
+  EXPECT_TRUE(stays_out_of_reach(reach, ball(-r - 0.9, in_and_out), {0.3, 0.005}));
+}
+
+TEST(Reach, FollowsAFall) {
+  Scene scene = hanging_yarn();
+  scene.handles.clear();
+  const Reach reach = reach_of(scene);
+  const Collider floor{Plane{Vec3(0.0, -3.0, 0.0), Vec3::UnitY()}, 0.3, {}};
+  EXPECT_TRUE(stays_out_of_reach(reach, floor, {0.5, 0.005}));   // falls 1.2 m
+  EXPECT_FALSE(stays_out_of_reach(reach, floor, {1.0, 0.005}));  // 4.9 m
+}
+
+}  // namespace
+}  // namespace slipstitch::testing
