@@ -65,14 +65,15 @@ std::optional<std::vector<NamedScene>> load_all(const EffectsOptions& options) {
 IoError write_all(const std::filesystem::path& folder, const std::vector<EffectReport>& reports,
                   const std::string& command) {
   std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) return "cannot make '" + folder.string() + "': " + failed.message();
+  const std::filesystem::path pictures = (folder / plot_file(reports.front())).parent_path();
+  std::filesystem::create_directories(pictures, failed);
+  if (failed) return "cannot make '" + pictures.string() + "': " + failed.message();
   std::vector<std::pair<std::string, std::string>> files{{"effects.csv", effect_csv(reports)},
                                                          {"effects.md", effect_markdown(reports, command)},
                                                          {"effects.html", effect_page(reports, command)}};
   for (const EffectReport& report : reports) {
-    files.emplace_back(report.stem + ".svg", effect_plot(report.study));
-    if (!report.picture.empty()) files.emplace_back(report.stem + "-growing.svg", report.picture);
+    files.emplace_back(plot_file(report), effect_plot(report.study));
+    if (!report.picture.empty()) files.emplace_back(picture_file(report), report.picture);
   }
   for (const auto& [name, content] : files)
     if (IoError error = write_file_atomic(folder / name, content); !error.empty()) return error;
@@ -140,8 +141,7 @@ class EffectsRun {
   nlohmann::ordered_json json() const {
     auto studies = nlohmann::ordered_json::array();
     for (const EffectReport& report : reports_)
-      studies.push_back(
-          {{"scene", report.study.scene}, {"rounds", report.study.rounds}, {"plot", report.stem + ".svg"}});
+      studies.push_back({{"scene", report.study.scene}, {"rounds", report.study.rounds}, {"plot", plot_file(report)}});
     return {{"out", options_.out}, {"csv", "effects.csv"}, {"page", "effects.html"}, {"studies", studies}};
   }
 

@@ -40,9 +40,9 @@ std::vector<EffectStage> effect_stages() {
   return {{"yarn",
            {"inertia", "gravity", "stretch", "bending", "bending_jamming", "damping", "air_drag", "wind", "shrinkage",
             "plasticity"}},
+          {"colliders", {"colliders"}},
           {"wrapping", {"wrapping"}},
           {"sliding", {"sliding", "contact_length", "parallel_contact", "sliding_friction"}},
-          {"colliders", {"colliders"}},
           {"self-collision", {"self_collision"}}};
 }
 

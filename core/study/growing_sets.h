@@ -19,8 +19,8 @@ struct GrowingSet {
   Frame last;  // the last frame there is
 };
 
-/// Effects in the order in which a fabric needs them: what a yarn does, how stitches wrap, how yarn slides, what the
-/// fabric touches, how it touches itself. Every effect is in one.
+/// Effects in the order in which a fabric needs them: what a yarn does, what it lies on, how stitches wrap, how yarn
+/// slides, how the fabric touches itself. Every effect is in one.
 struct EffectStage {
   std::string name;
   std::vector<std::string> effects;

@@ -34,8 +34,8 @@ std::string section(const EffectReport& report) {
   const EffectStudy& study = report.study;
   std::string text = "## " + study.scene + "\n\n" + about_scene(study) + "\n\n";
   if (!report.picture.empty())
-    text += "![" + study.scene + " under growing sets of effects](" + report.stem + "-growing.svg)\n\n";
-  return text + "![What every effect changes and costs](" + report.stem + ".svg)\n\n" + table_of(study) +
+    text += "![" + study.scene + " under growing sets of effects](" + picture_file(report) + ")\n\n";
+  return text + "![What every effect changes and costs](" + plot_file(report) + ")\n\n" + table_of(study) +
          not_compared(study) + "\n";
 }
 
@@ -47,6 +47,10 @@ std::string columns_list() {
 }
 
 }  // namespace
+
+std::string plot_file(const EffectReport& report) { return "effects/" + report.stem + ".svg"; }
+
+std::string picture_file(const EffectReport& report) { return "effects/" + report.stem + "-growing.svg"; }
 
 std::string effect_markdown(std::span<const EffectReport> reports, const std::string& command) {
   std::string text = "# What every effect changes and what it costs\n\nMade by `" + command + "`; do not edit.\n\n" +

@@ -47,7 +47,7 @@ void draw_axes(Svg& svg, const LogAxis& move, const LogAxis& time, double bottom
   for (int k = 0; k <= decades; ++k) {
     const double value = move.low * std::pow(10.0, k);
     svg.line(move.at(value), kTop - 8.0, move.at(value), bottom, kGrid);
-    svg.text(move.at(value), bottom + 16.0, k == 0 ? "<" + short_number(value) : short_number(value), "middle", kFaint);
+    svg.text(move.at(value), bottom + 16.0, k == 0 ? "<1e-4" : plain_number(value, 1), "middle", kFaint);
   }
   const int octaves = static_cast<int>(std::lround(std::log2(time.high / time.low)));
   for (int k = 0; k <= octaves; k += octaves > 8 ? 2 : 1) {

@@ -11,9 +11,13 @@ namespace slipstitch {
 /// A study and the pictures beside it.
 struct EffectReport {
   EffectStudy study;
-  std::string stem;     // of its files: STEM.svg is the plot, STEM-growing.svg the picture
+  std::string stem;     // of its files
   std::string picture;  // growing_picture(); may be empty
 };
+
+/// Files of the plot and of the picture, beside that of effect_markdown().
+std::string plot_file(const EffectReport& report);     // effects/STEM.svg
+std::string picture_file(const EffectReport& report);  // effects/STEM-growing.svg
 
 /// One row an effect and scene, all that was measured on both sides; numbers with 9 digits, empty where there is no
 /// comparison.

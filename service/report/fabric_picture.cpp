@@ -126,12 +126,23 @@ Extent extent_of(const GrowingSet& set) {
   return extent;
 }
 
+bool in_view(const GrowingSet& set, const View& view) {
+  for (int yarn = 0; yarn < set.header.topology.num_yarns(); ++yarn)
+    for (const Vec3& s : seen_yarn(set, yarn))
+      if (std::abs(view.y(s) - view.top - 0.5 * kPanel) < 0.5 * kPanel) return true;
+  return false;
+}
+
 void captions(Svg& svg, const GrowingSet& set, const View& view, bool first) {
   svg.text(view.left + kMargin, kTop - 26.0, (first ? "" : "+ ") + set.stage, "start", "#222",
            "font-size=\"14\" font-weight=\"600\"");
   const std::string note =
       set.failure.empty() ? duration_text(set.wall_s) : "stops at " + short_number(set.last.t) + " s";
   svg.text(view.left + kMargin, kTop - 9.0, note, "start", "#777");
+  if (!in_view(set, view)) {
+    svg.text(view.left + 0.5 * kPanel, kTop + 0.12 * kPanel, "out of the picture", "middle", "#777",
+             "font-style=\"italic\"");
+  }
 }
 
 }  // namespace

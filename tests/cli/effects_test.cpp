@@ -23,11 +23,11 @@ TEST_F(EffectsCommand, WritesTheTableInEveryForm) {
   for (const char* part : {"changes by", "costs, with / without", "  gravity", "+ air_drag", "- wind: says nothing"})
     EXPECT_NE(end.out.find(part), std::string::npos) << part << "\n" << end.out;
   EXPECT_NE(read_bytes(folder_ / "out" / "effects.csv").find("\"swing\",gravity,1,"), std::string::npos);
-  EXPECT_TRUE(read_bytes(folder_ / "out" / "swing.svg").starts_with("<svg "));
+  EXPECT_TRUE(read_bytes(folder_ / "out" / "effects" / "swing.svg").starts_with("<svg "));
   EXPECT_TRUE(read_bytes(folder_ / "out" / "effects.html").starts_with("<!doctype html>"));
   const std::string document = read_bytes(folder_ / "out" / "effects.md");
-  for (const char* part : {"slipstitch effects ", "## swing\n", "| gravity | on |", "(swing.svg)",
-                           "(swing-growing.svg)", "**self_collision**"})
+  for (const char* part : {"slipstitch effects ", "## swing\n", "| gravity | on |", "(effects/swing.svg)",
+                           "(effects/swing-growing.svg)", "**self_collision**"})
     EXPECT_NE(document.find(part), std::string::npos) << part;
 }
 

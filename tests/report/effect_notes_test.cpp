@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "model/effect_list.h"
@@ -33,6 +35,14 @@ TEST(EffectNotes, StandInTheDocumentInTheOrderOfTheList) {
     EXPECT_GE(found, at);
     at = found;
   }
+}
+
+TEST(EffectNotes, TheDocumentIsOfThisVersion) {
+  std::ifstream file(SLIPSTITCH_SOURCE_DIR "/docs/effects.md");
+  const std::string document((std::istreambuf_iterator<char>(file)), {});
+  EXPECT_NE(document.find(effect_notes_markdown()), std::string::npos) << "make it again: ./run docs";
+  for (const char* scene : {"drape", "stretch", "curl", "ball-drop", "torso"})
+    EXPECT_NE(document.find("\n## " + std::string(scene) + "\n"), std::string::npos) << scene;
 }
 
 }  // namespace

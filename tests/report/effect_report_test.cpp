@@ -95,8 +95,8 @@ TEST(EffectReport, CsvHasBothSidesOfEveryComparison) {
 
 TEST(EffectReport, MarkdownHasARowAnEffectAndSaysWhatIsNotCompared) {
   const std::string text = effect_markdown(sample_reports(), "make it");
-  EXPECT_NE(text.find("![What every effect changes and costs](stem.svg)"), std::string::npos);
-  EXPECT_NE(text.find("](stem-growing.svg)"), std::string::npos);
+  EXPECT_NE(text.find("![What every effect changes and costs](effects/stem.svg)"), std::string::npos);
+  EXPECT_NE(text.find("](effects/stem-growing.svg)"), std::string::npos);
   EXPECT_EQ(effect_markdown(sample_reports(""), "make it").find("growing.svg"), std::string::npos);
   EXPECT_NE(
       text.find("| wrapping | on | 12.5 | 2.00 | 0.250 | 0.125 | 100 | 1.25 | 2.00 | 1.00 | 2.00 | 1.50 | 1.33 |"),
