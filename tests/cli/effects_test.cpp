@@ -64,5 +64,25 @@ TEST_F(EffectsCommand, SaysWhichSceneDoesNotRun) {
   EXPECT_NE(end.err.find("swing does not run"), std::string::npos) << end.err;
 }
 
+TEST_F(EffectsCommand, ValidateNamesBodiesThatAreNeverReached) {
+  const auto validated = [&](const std::string& y) {
+    return slipstitch({"validate", scene(), "--set",
+                       "effects.colliders={\"colliders\": [{\"plane\": {\"point_m\": [0, " + y + ", 0]}}]}"})
+        .out;
+  };
+  EXPECT_NE(validated("-5").find("colliders[0] cannot matter here"), std::string::npos) << validated("-5");
+  EXPECT_EQ(validated("-0.04").find("cannot matter"), std::string::npos);
+}
+
+TEST_F(EffectsCommand, TheChoiceIsMadeOnRequestAndReported) {
+  const ProgramEnd end = slipstitch({"simulate", scene(), "--json", "--set", "effects.auto={}"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  const auto summary = nlohmann::json::parse(end.out);
+  EXPECT_EQ(summary["effect_choice"]["window_s"], 10.0 / 240.0);
+  EXPECT_FALSE(summary["effect_choice"]["verdicts"].empty());
+  EXPECT_NE(slipstitch({"validate", scene(), "--set", "effects.auto={}"}).out.find("begins by choosing"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace slipstitch::test
