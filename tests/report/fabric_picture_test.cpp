@@ -25,6 +25,7 @@ TEST(FabricPicture, DrawsAPanelASetAndKnownBodiesOnly) {
   EXPECT_EQ(count_of_text(svg, "stroke-dasharray"), 1);  // the ball that the first set does not know
   EXPECT_EQ(count_of_text(svg, "fill=\"url(#body)\""), 1);
   EXPECT_EQ(count_of_text(svg, "#12344f"), 2);  // four segments of one yarn, drawn as one, twice
+  EXPECT_LT(svg.find("stroke-dasharray"), svg.find("fill=\"url(#body)\""));
   EXPECT_NE(svg.find(">yarn<"), std::string::npos);
   EXPECT_NE(svg.find(">+ colliders<"), std::string::npos);
   EXPECT_NE(svg.find("a &amp; b at t = 0.03 s"), std::string::npos);

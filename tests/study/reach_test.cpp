@@ -48,6 +48,17 @@ TEST(Reach, HoldsAHangingYarnThatSwings) {
   EXPECT_LT(reach.parts[0].radius, 0.4);  // the yarn is 0.2 m long: a bound, and not any number
 }
 
+TEST(Reach, HoldsAYarnThatItsWeightStretches) {
+  Scene scene = hanging_yarn();
+  scene.yarn.stretch_n = 0.05;  // by two fifths
+  scene.duration_s = 0.6;
+  const Reach reach = reach_of(scene);
+  ASSERT_EQ(reach.no_bound, "");
+  const double slack = least_slack(scene, reach);
+  EXPECT_GE(slack, 0.0);
+  EXPECT_GT(reach.parts[0].radius - slack, 1.2 * 0.2);  // farther than the yarn is long
+}
+
 TEST(Reach, HoldsAThrownSoftYarn) {
   Scene scene = hanging_yarn();
   scene.handles.clear();
