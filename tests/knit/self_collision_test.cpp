@@ -142,6 +142,56 @@ TEST(SelfCollision, CountsStrangersThatOverlapAtTheStartAndLeavesThemAtRest) {
   EXPECT_FALSE(run(off, 1, {}).self_collision_start_overlaps.has_value());
 }
 
+// Five yarns side by side over one: they touch it one after another, and the last way lifts them all but one.
+TEST(SelfCollision, HasTheSameMatrixHoweverItsStencilsCame) {
+  Scene scene = two_yarns(6e-3);
+  scene.effects.inertia.reset();
+  const double d = 2.0 * scene.yarn.radius_m;
+  scene.yarns[0].points = {{-1e-2, 0.0, 0.0}, {1e-2, 0.0, 0.0}};
+  scene.yarns[1].points = {{-8e-3, -5e-4, 6e-3}, {-8e-3, 5e-4, 6e-3}};
+  for (int k = 1; k < 5; ++k) {
+    scene.yarns.push_back(scene.yarns[1]);
+    for (Vec3& x : scene.yarns.back().points) x.x() += 4e-3 * k;
+  }
+  const Model model = compile(scene, nullptr);
+  YarnForces forces = make_forces(model);
+  const DofMap map = make_dof_map(model);
+  Assembly kept(forces, map);
+  VecX q = model.start_q;
+  const auto expect_same = [&] {
+    Assembly fresh(forces, map);
+    VecX g_kept, g_fresh;
+    SparseMatrix h_kept, h_fresh;
+    kept.derivatives(forces, q, HessianMode::exact, g_kept, h_kept);
+    fresh.derivatives(forces, q, HessianMode::exact, g_fresh, h_fresh);
+    EXPECT_GT(g_fresh.norm(), 0.0);
+    EXPECT_EQ(g_kept, g_fresh);
+    const VecX x = VecX::LinSpaced(map.num_dofs, -1.0, 2.0);
+    VecX kept_x, fresh_x;
+    multiply(h_kept, x, kept_x);
+    multiply(h_fresh, x, fresh_x);
+    EXPECT_LT((kept_x - fresh_x).norm(), 1e-12 * fresh_x.norm());
+  };
+  const auto move = [&](int yarn, double to) {
+    VecX dq = VecX::Zero(q.size());
+    for (int n : {2 * yarn, 2 * yarn + 1}) dq[3 * n + 2] = to - q[3 * n + 2];
+    std::get<SelfCollision>(forces).watch(q, dq, 1.0);
+    q += dq;
+  };
+  State state;
+  for (int yarn : {3, 1, 5, 2, 4}) {
+    move(yarn, 0.96 * d);
+    expect_same();
+  }
+  for (int yarn : {1, 2, 3, 5}) move(yarn, 3.0 * d);
+  state.q = q;
+  std::get<SelfCollision>(forces).begin_step({1e-3, state});
+  EXPECT_EQ(std::get<SelfCollision>(forces).size(), 1);
+  expect_same();
+  move(3, 0.96 * d);
+  expect_same();
+}
+
 Scene curling_swatch() {
   Scene scene = test::knit_scene("stockinette", 18, 6);
   test::use_demo_feel(scene.effects);

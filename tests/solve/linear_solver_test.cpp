@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include <cmath>
+#include <numeric>
 
 #include "dense_matrix.h"
 
