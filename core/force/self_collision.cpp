@@ -5,31 +5,25 @@
 #include <cmath>
 
 #include "collide/closest_point.h"
-#include "collide/overlaps.h"
 #include "force/gap_energy.h"
 #include "force/scripted_nodes.h"
 #include "force/segments.h"
+#include "model/pattern_places.h"
 
 namespace slipstitch {
 namespace {
 
 constexpr double kStiffness = 1e-3;  // of EA
 constexpr double kDeepest = 0.1;     // overlap, of d and at most of R
-constexpr double kWatched = 0.5;     // radii beyond d from which pairs are stencils
+constexpr double kWatched = 0.5;     // radii beyond d from which pairs become stencils along with those that must
+constexpr double kMargin = 0.5;      // radii of relative motion that a search of boxes lasts for
+constexpr int kPatternReach = 3;     // courses and wales
+constexpr double kRoundOff = 1e-9;   // share of 2R by which yarns that are laid to touch may overlap
 constexpr int kMaxPushes = 100;
-constexpr std::size_t kFewMoving = 16;  // segments for which no tree is worth building
-constexpr double kKeep = 0.1;           // share of the way to the deepest overlap that one Newton step leaves
+constexpr double kKeep = 0.1;  // share of the way to the deepest overlap that one Newton step leaves
 
 Vec3 at(const std::array<int, 6>& coords, double share, const VecX& q) {
   return (1.0 - share) * q.segment<3>(coords[0]) + share * q.segment<3>(coords[3]);
-}
-
-template <class Vector>
-double distance(const std::array<int, 6>& a, const std::array<int, 6>& b, const Vector& q) {
-  const Vec3 a0 = q.template segment<3>(a[0]), a1 = q.template segment<3>(a[3]);
-  const Vec3 b0 = q.template segment<3>(b[0]), b1 = q.template segment<3>(b[3]);
-  const SegmentPair close = closest_of_segments(a0, a1, b0, b1);
-  return (a0 + close.s * (a1 - a0) - b0 - close.t * (b1 - b0)).norm();
 }
 
 /// How much two segments can come closer while q moves by dq.
@@ -40,6 +34,13 @@ double approach(const std::array<int, 6>& a, const std::array<int, 6>& b, const 
       most = std::max(
           most, (dq.segment<3>(a[static_cast<std::size_t>(i)]) - dq.segment<3>(b[static_cast<std::size_t>(j)])).norm());
   return most;
+}
+
+/// Whether segments with ends q come within `reach` of each other.
+bool touches(const Vec<12>& q, double reach) {
+  const Vec3 a0 = q.segment<3>(0), a1 = q.segment<3>(3), b0 = q.segment<3>(6), b1 = q.segment<3>(9);
+  const SegmentPair close = closest_of_segments(a0, a1, b0, b1);
+  return (a0 + close.s * (a1 - a0) - b0 - close.t * (b1 - b0)).squaredNorm() <= reach * reach;
 }
 
 /// Adds the block of a point pair with weights w on x0, x1, y0, y1.
@@ -70,18 +71,20 @@ SelfCollision::SelfCollision(const Model& model) {
   const Topology& topology = model.topology;
   radius_ = model.yarn.radius_m;
   k_ = effect->stiffness_n.value_or(kStiffness * model.yarn.stretch_n);
-  start_q_ = model.start_q;
   const std::vector<char> held = scripted_nodes(model);
   for_each_owned_segment(topology, [&](int, int i) {
     const auto v = static_cast<std::size_t>(i);
     const int x0 = position_coord(topology, i), x1 = position_coord(topology, i + 1);
-    Segment segment{{x0, x0 + 1, x0 + 2, x1, x1 + 1, x1 + 2}};
+    Segment segment{i, {x0, x0 + 1, x0 + 2, x1, x1 + 1, x1 + 2}};
     for (std::size_t end : {0, 1})
       segment.held[end] = held[static_cast<std::size_t>(topology.visit_node[v + end])] != 0;
     segment.pieces = 1 + static_cast<int>(std::ceil(rest_length(topology, i) / radius_));
     segments_.push_back(segment);
   });
+  if (segments_.empty()) return;
   find_neighbours(topology);
+  find_start_distances(model);
+  near_ = NearSegments(segment_ends(), (2.0 + kWatched) * radius_, kMargin * radius_);
 }
 
 void SelfCollision::find_neighbours(const Topology& topology) {
@@ -104,8 +107,37 @@ bool SelfCollision::neighbours(const Segment& a, const Segment& b) const {
   return false;
 }
 
-double SelfCollision::contact_distance(const Segment& a, const Segment& b) const {
-  return std::min(2.0 * radius_, distance(a.coords, b.coords, start_q_));
+std::vector<std::array<int, 6>> SelfCollision::segment_ends() const {
+  std::vector<std::array<int, 6>> ends;
+  for (const Segment& segment : segments_) ends.push_back(segment.coords);
+  return ends;
+}
+
+bool SelfCollision::can_touch(int a, int b) const {
+  const Segment &sa = segments_[static_cast<std::size_t>(a)], &sb = segments_[static_cast<std::size_t>(b)];
+  const bool held = sa.held[0] && sa.held[1] && sb.held[0] && sb.held[1];
+  return !held && !neighbours(sa, sb);
+}
+
+void SelfCollision::find_start_distances(const Model& model) {
+  const PatternPlaces places(model.topology);
+  const double diameter = 2.0 * radius_;
+  NearSegments start(segment_ends(), diameter, 0.0);
+  start.cover(model.start_q, VecX::Zero(model.start_q.size()),
+              [&](int a, int b) { return can_touch(a, b) ? diameter : -1.0; });
+  for (const NearSegments::Pair& pair : start.pairs()) {
+    if (pair.distance >= diameter) continue;
+    start_distance_[key(pair.a, pair.b)] = pair.distance;
+    const int i = segments_[static_cast<std::size_t>(pair.a)].visit,
+              j = segments_[static_cast<std::size_t>(pair.b)].visit;
+    const bool related = places.near_in_pattern(i, j, kPatternReach) || places.near_on_yarn(i, j, kPi * radius_);
+    if (!related && pair.distance < (1.0 - kRoundOff) * diameter) ++start_overlaps_;
+  }
+}
+
+double SelfCollision::contact_distance(int a, int b) const {
+  const auto start = start_distance_.find(key(a, b));
+  return start == start_distance_.end() ? 2.0 * radius_ : start->second;
 }
 
 double SelfCollision::depth(const Pair& pair) const { return kDeepest * std::min(pair.distance, radius_); }
@@ -131,7 +163,7 @@ double SelfCollision::eval(int k, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) c
   const Pair& pair = pairs_[static_cast<std::size_t>(k)];
   if (g) g->setZero();
   if (hess) hess->setZero();
-  if (distance({0, 1, 2, 3, 4, 5}, {6, 7, 8, 9, 10, 11}, q) > pair.distance) return 0.0;  // most pairs are only watched
+  if (!touches(q, pair.distance)) return 0.0;  // most pairs are only watched
   double sum = 0.0;
   for_each_point_pair(pair, [&](const std::array<double, 4>& w) {
     const Vec3 p = weighted(w, q);
@@ -161,62 +193,47 @@ void SelfCollision::convex_hessian(int k, const Vec<12>& q, Mat<12>& hess) const
   });
 }
 
-bool SelfCollision::add_pair(int a, int b) {
-  const Segment &sa = segments_[static_cast<std::size_t>(a)], &sb = segments_[static_cast<std::size_t>(b)];
-  const long key = static_cast<long>(a) * static_cast<long>(segments_.size()) + b;
-  if (!pair_index_.emplace(key, size()).second) return false;
-  pairs_.push_back({a, b, sa.pieces, sb.pieces, contact_distance(sa, sb)});
-  return true;
+void SelfCollision::add_pair(const NearSegments::Pair& near) {
+  pairs_.push_back({near.a, near.b, segments_[static_cast<std::size_t>(near.a)].pieces,
+                    segments_[static_cast<std::size_t>(near.b)].pieces, near.touch});
+  taken_.insert(key(near.a, near.b));
+}
+
+void SelfCollision::drop_idle(const VecX& q) {
+  const auto idle = std::count_if(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+    return distance_of_segments(segments_[static_cast<std::size_t>(pair.a)].coords,
+                                segments_[static_cast<std::size_t>(pair.b)].coords,
+                                q) > pair.distance + kWatched * radius_;
+  });
+  if (2 * idle <= static_cast<long>(pairs_.size())) return;
+  pairs_.clear();
+  taken_.clear();
+  ++revision_;
 }
 
 void SelfCollision::begin_step(const StepContext& step) {
   if (segments_.empty()) return;
-  pairs_.clear();
-  pair_index_.clear();
-  ++revision_;
+  drop_idle(step.start.q);
   watch(step.start.q, step.start.q, 0.0);
-}
-
-Eigen::AlignedBox3d SelfCollision::swept_box(const Segment& segment, const VecX& q, const VecX& dq) const {
-  Eigen::AlignedBox3d box;
-  for (int c : {segment.coords[0], segment.coords[3]}) {
-    box.extend(Vec3(q.segment<3>(c)));
-    box.extend(Vec3(q.segment<3>(c) + dq.segment<3>(c)));
-  }
-  const double margin = 0.5 * (2.0 + kWatched) * radius_;
-  box.min().array() -= margin;
-  box.max().array() += margin;
-  return box;
 }
 
 void SelfCollision::watch(const VecX& q, const VecX& way, double share) {
   if (segments_.empty()) return;
   const VecX dq = share * way;
-  std::vector<Eigen::AlignedBox3d> boxes;
-  std::vector<int> moving;
-  for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
-    const Segment& segment = segments_[static_cast<std::size_t>(i)];
-    boxes.push_back(swept_box(segment, q, dq));
-    if (!dq.segment<3>(segment.coords[0]).isZero(0.0) || !dq.segment<3>(segment.coords[3]).isZero(0.0))
-      moving.push_back(i);
+  near_.cover(q, dq, [&](int a, int b) { return can_touch(a, b) ? contact_distance(a, b) : -1.0; });
+  std::vector<NearSegments::Pair> close;
+  bool must = false;
+  for (const NearSegments::Pair& pair : near_.pairs()) {
+    const double watched = pair.touch + kWatched * radius_;
+    if (near_.at_least(pair) > watched || taken_.contains(key(pair.a, pair.b))) continue;
+    const auto &a = segments_[static_cast<std::size_t>(pair.a)].coords,
+               &b = segments_[static_cast<std::size_t>(pair.b)].coords;
+    const double least = distance_of_segments(a, b, q) - approach(a, b, dq);
+    if (least <= watched) close.push_back(pair);
+    must = must || least <= pair.touch;
   }
-  const auto before = pairs_.size();
-  const auto consider = [&](int a, int b) {
-    const Segment &sa = segments_[static_cast<std::size_t>(a)], &sb = segments_[static_cast<std::size_t>(b)];
-    const bool held = sa.held[0] && sa.held[1] && sb.held[0] && sb.held[1];
-    if (held || neighbours(sa, sb)) return;
-    const double reach = contact_distance(sa, sb) + kWatched * radius_ + approach(sa.coords, sb.coords, dq);
-    if (distance(sa.coords, sb.coords, q) <= reach) add_pair(a, b);
-  };
-  if (!moving.empty() && moving.size() <= kFewMoving) {
-    for (int a : moving)
-      for (int b = 0; b < static_cast<int>(boxes.size()); ++b)
-        if (a != b && boxes[static_cast<std::size_t>(a)].intersects(boxes[static_cast<std::size_t>(b)]))
-          consider(std::min(a, b), std::max(a, b));
-  } else {
-    for_each_overlap(boxes, consider);
-  }
-  if (pairs_.size() != before) ++revision_;
+  if (!must) return;
+  for (const NearSegments::Pair& pair : close) add_pair(pair);
 }
 
 double SelfCollision::max_step(const VecX& q, const VecX& dq, double a) const {
@@ -224,7 +241,7 @@ double SelfCollision::max_step(const VecX& q, const VecX& dq, double a) const {
     const auto &ca = segments_[static_cast<std::size_t>(pair.a)].coords,
                &cb = segments_[static_cast<std::size_t>(pair.b)].coords;
     const double way = a * approach(ca, cb, dq);
-    if (!(way > 0.0) || distance(ca, cb, q) - way > pair.distance) continue;
+    if (!(way > 0.0) || distance_of_segments(ca, cb, q) - way > pair.distance) continue;
     for_each_point_pair(pair, [&](const std::array<double, 4>& w) {
       const Vec3 p = at(ca, w[1], q) - at(cb, -w[3], q), dp = at(ca, w[1], dq) - at(cb, -w[3], dq);
       const double left = p.norm() - room(pair);
@@ -257,8 +274,8 @@ bool SelfCollision::push_apart(const Pair& pair, VecX& q) const {
 
 void SelfCollision::push_out(const VecX& q0, VecX& q) {
   if (segments_.empty() || q0 == q) return;
-  watch(q0, q - q0, 1.0);
   for (int i = 0; i < kMaxPushes; ++i) {
+    watch(q0, q - q0, 1.0);
     bool moved = false;
     for (const Pair& pair : pairs_) moved = push_apart(pair, q) || moved;
     if (!moved) return;

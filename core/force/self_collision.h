@@ -2,8 +2,10 @@
 #pragma once
 
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
+#include "collide/near_segments.h"
 #include "force/term.h"
 #include "model/model.h"
 
@@ -14,9 +16,17 @@ namespace slipstitch {
 /// "Simulating knitted cloth at the yarn level", ACM TOG 27(3), 2008, 4.3. Points up to 2.6 radii apart, as on a
 /// segment that has taken in yarn, leave no hole for yarn to pass through.
 ///
-/// d = 2R, but no more than the distance of the two segments at the start of the scene: a relaxed fabric feels nothing,
-/// though its drawn yarns overlap. Segments that share a node, or whose nodes a segment joins, never touch here: their
+/// Within three courses and wales, and within an arc of pi R of one yarn or across a node of two (the shortest way round
+/// between points 2R apart), d = min(2R, distance of the two segments in the relaxed fabric as placed at the start): it
+/// feels nothing, though its drawn yarns overlap. Everywhere else d = 2R. Strangers that overlap at the start all the
+/// same, as in a scene that starts folded, keep that distance for ever, as the energy knows no deeper overlap than R/10;
+/// start_overlaps() counts them. Segments that share a node, or whose nodes a segment joins, never touch here: their
 /// contacts hold them.
+///
+/// Nothing passes through: a pair is a stencil before any move that could bring it to d, and max_step() keeps its points
+/// from each other. What bounds the cost: NearSegments searches boxes anew only once segments have moved by half a
+/// radius against each other; between searches a move costs a sum of three numbers for every pair found, and an exact
+/// distance where those allow a touch. Stencils stay until they are mostly idle, so that the matrix seldom changes shape.
 class SelfCollision {
  public:
   static constexpr int kSize = 12;
@@ -34,11 +44,14 @@ class SelfCollision {
   void watch(const VecX& q, const VecX& dq, double a);
   /// Largest share <= a of that way on which nothing passes through. Only after `watch` of the same way.
   double max_step(const VecX& q, const VecX& dq, double a) const;
+  /// Pairs of segments that overlap at the start and are no neighbours in pattern or yarn; handles may hold one of them.
+  int start_overlaps() const { return start_overlaps_; }
   /// Moves yarn out of yarn that handles have moved from q0 into it, as far as handles allow.
   void push_out(const VecX& q0, VecX& q);
 
  private:
   struct Segment {
+    int visit = 0;
     std::array<int, 6> coords;   // x0, x1
     int pieces = 1;              // with a point in the middle of each; for ever, or a rest could become forbidden
     std::array<bool, 2> held{};  // by handles, at either end
@@ -49,22 +62,28 @@ class SelfCollision {
     double distance = 0.0;  // d
   };
   void find_neighbours(const Topology& topology);
+  void find_start_distances(const Model& model);
   bool neighbours(const Segment& a, const Segment& b) const;
-  double contact_distance(const Segment& a, const Segment& b) const;
-  Eigen::AlignedBox3d swept_box(const Segment& segment, const VecX& q, const VecX& dq) const;
+  std::vector<std::array<int, 6>> segment_ends() const;
+  bool can_touch(int a, int b) const;
+  double contact_distance(int a, int b) const;
+  long key(int a, int b) const { return static_cast<long>(a) * static_cast<long>(segments_.size()) + b; }
+  void drop_idle(const VecX& q);
+  void add_pair(const NearSegments::Pair& near);
   bool push_apart(const Pair& pair, VecX& q) const;
-  bool add_pair(int a, int b);
   template <class F>
   void for_each_point_pair(const Pair& pair, F&& f) const;
   double room(const Pair& pair) const { return pair.distance - depth(pair); }
   double depth(const Pair& pair) const;
 
   double radius_ = 0.0, k_ = 0.0;
-  VecX start_q_;
   std::vector<Segment> segments_;
-  std::vector<std::vector<int>> joined_;  // per node: nodes that a segment joins to it, ascending, itself too
+  std::vector<std::vector<int>> joined_;            // per node: nodes that a segment joins to it, ascending, itself too
+  std::unordered_map<long, double> start_distance_;  // by key(): d of pairs with d < 2R
+  int start_overlaps_ = 0;
+  NearSegments near_;
   std::vector<Pair> pairs_;
-  std::unordered_map<long, int> pair_index_;
+  std::unordered_set<long> taken_;  // keys of pairs_
   long revision_ = 0;
 };
 static_assert(ForceTerm<SelfCollision>);

@@ -43,7 +43,8 @@ concept HasStress = requires(const T& cterm, int k, const Vec<T::kSize>& q, doub
   { cterm.hessian_at(k, q, stress, hess) } -> std::same_as<void>;
 };
 
-/// A term whose stencils change from step to step: revision() changes whenever begin_step changed them.
+/// A term whose stencils change: revision() changes whenever it has dropped or replaced some. Those that it only adds come
+/// last.
 template <class T>
 concept HasChangingStencils = requires(const T& cterm) {
   { cterm.revision() } -> std::same_as<long>;

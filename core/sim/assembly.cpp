@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace slipstitch {
 namespace {
@@ -19,11 +18,14 @@ void for_each_term(const YarnForces& forces, F&& f) {
 /// Unknowns touched by stencil coordinates, ascending, without repeats.
 template <std::size_t N>
 std::vector<int> unknowns(const DofMap& map, const std::array<int, N>& coords) {
-  std::set<int> dofs;
+  std::vector<int> dofs;
+  dofs.reserve(N);
   for (int c : coords)
     for (int e = map.first[static_cast<std::size_t>(c)]; e < map.first[static_cast<std::size_t>(c) + 1]; ++e)
-      dofs.insert(map.dof[static_cast<std::size_t>(e)]);
-  return {dofs.begin(), dofs.end()};
+      dofs.push_back(map.dof[static_cast<std::size_t>(e)]);
+  std::sort(dofs.begin(), dofs.end());
+  dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
+  return dofs;
 }
 
 template <class Term>
@@ -37,52 +39,90 @@ Vec<Term::kSize> gather(const Term& term, int k, const VecX& q) {
 }  // namespace
 
 Assembly::Assembly(const YarnForces& forces, const DofMap& map, Stencils stencils) : map_(map), stencils_(stencils) {
-  for_each_term(forces, [&](const auto& term, int i) { select(term, pools_[static_cast<std::size_t>(i)]); });
-  make_whole_pattern(forces);
-}
-
-void Assembly::make_whole_pattern(const YarnForces& forces) {
   std::vector<std::vector<int>> cliques;
   for_each_term(forces, [&](const auto& term, int i) {
-    for (int k : pools_[static_cast<std::size_t>(i)].stencil) cliques.push_back(unknowns(map_, term.coords(k)));
+    Pool& pool = pools_[static_cast<std::size_t>(i)];
+    select(term, pool);
+    if constexpr (!HasChangingStencils<std::decay_t<decltype(term)>>)
+      for (int k : pool.stencil) cliques.push_back(unknowns(map_, term.coords(k)));
   });
-  pattern_ = make_pattern(map_.num_dofs, cliques);
-  if (!map_.simple) return;
+  lasting_ = pattern_ = make_pattern(map_.num_dofs, cliques);
+  if (!fits(forces)) change_pattern(forces);
   for_each_term(forces, [&](const auto& term, int i) { place(term, pools_[static_cast<std::size_t>(i)]); });
 }
 
 void Assembly::refresh(const YarnForces& forces) {
-  bool fits = true;
+  bool changed = false;
   for_each_term(forces, [&](const auto& term, int i) {
     if constexpr (HasChangingStencils<std::decay_t<decltype(term)>>) {
       Pool& pool = pools_[static_cast<std::size_t>(i)];
-      if (pool.revision == term.revision()) return;
+      if (pool.revision == term.revision() && pool.seen == term.size()) return;
       select(term, pool);
-      for (int k : pool.stencil) fits = fits && pattern_->contains(unknowns(map_, term.coords(k)));
-      if (fits && map_.simple) place(term, pool);
+      changed = true;
     }
   });
-  if (!fits) make_whole_pattern(forces);
+  if (!changed) return;
+  if (!fits(forces)) change_pattern(forces);
+  for_each_term(forces, [&](const auto& term, int i) {
+    if constexpr (HasChangingStencils<std::decay_t<decltype(term)>>) place(term, pools_[static_cast<std::size_t>(i)]);
+  });
 }
 
+/// Whether the pattern has room for all stencils.
+bool Assembly::fits(const YarnForces& forces) const {
+  bool all = true;
+  for_each_term(forces, [&](const auto& term, int i) {
+    if constexpr (HasChangingStencils<std::decay_t<decltype(term)>>) {
+      const Pool& pool = pools_[static_cast<std::size_t>(i)];
+      for (std::size_t n = pool.placed; n < pool.stencil.size() && all; ++n)
+        all = pattern_->contains(unknowns(map_, term.coords(pool.stencil[n])));
+    }
+  });
+  return all;
+}
+
+/// Makes room for all stencils, and for none that are gone.
+void Assembly::change_pattern(const YarnForces& forces) {
+  std::vector<std::vector<int>> cliques;
+  for_each_term(forces, [&](const auto& term, int i) {
+    if constexpr (HasChangingStencils<std::decay_t<decltype(term)>>)
+      for (int k : pools_[static_cast<std::size_t>(i)].stencil) cliques.push_back(unknowns(map_, term.coords(k)));
+  });
+  const auto before = pattern_;
+  pattern_ = with_cliques(*lasting_, cliques);
+  const std::vector<int> moved = slots_in(*before, *pattern_);
+  for (Pool& pool : pools_)
+    for (int& slot : pool.slots)
+      if (slot >= 0) slot = moved[static_cast<std::size_t>(slot)];
+}
+
+/// Takes in the stencils that the term has added, or all if it has changed others.
 template <class Term>
 void Assembly::select(const Term& term, Pool& pool) const {
-  pool.stencil.clear();
-  for (int k = 0; k < term.size(); ++k)
-    if (stencils_ == Stencils::all || !unknowns(map_, term.coords(k)).empty()) pool.stencil.push_back(k);
+  if constexpr (HasChangingStencils<Term>) {
+    if (pool.revision != term.revision()) {
+      pool.seen = 0;
+      pool.placed = 0;
+      pool.stencil.clear();
+      pool.dofs.clear();
+      pool.slots.clear();
+    }
+    pool.revision = term.revision();
+  }
+  for (; pool.seen < term.size(); ++pool.seen)
+    if (stencils_ == Stencils::all || !unknowns(map_, term.coords(pool.seen)).empty())
+      pool.stencil.push_back(pool.seen);
   if constexpr (HasStress<Term>) pool.stress.assign(pool.stencil.size(), 0.0);
-  if constexpr (HasChangingStencils<Term>) pool.revision = term.revision();
 }
 
 template <class Term>
 void Assembly::place(const Term& term, Pool& pool) const {
-  pool.dofs.clear();
-  pool.slots.clear();
+  if (!map_.simple) return;
   pool.dofs.reserve(pool.stencil.size() * Term::kSize);
   pool.slots.reserve(pool.stencil.size() * Term::kSize * (Term::kSize + 1) / 2);
-  for (int k : pool.stencil) {
+  for (; pool.placed < pool.stencil.size(); ++pool.placed) {
     std::array<int, Term::kSize> dofs;
-    const auto coords = term.coords(k);
+    const auto coords = term.coords(pool.stencil[pool.placed]);
     for (std::size_t i = 0; i < Term::kSize; ++i) dofs[i] = map_.dof_of(coords[i]);
     pool.dofs.insert(pool.dofs.end(), dofs.begin(), dofs.end());
     for (std::size_t c = 0; c < Term::kSize; ++c)

@@ -42,13 +42,16 @@ class Assembly {
     std::vector<double> stress;  // predicted (n); empty if the term has none
     std::vector<int> dofs;      // unknown of each local coordinate, -1: held (n x kSize); simple maps only
     long revision = 0;
+    int seen = 0;               // stencils of the term that were looked at
+    std::size_t placed = 0;     // stencils that have dofs and slots; simple maps only
     std::vector<int> slots;     // place of each lower-triangle pair, -1: none (n x kSize (kSize+1)/2); simple maps only
     long evaluations = 0;       // of one stencil
   };
   template <class Term>
   void select(const Term& term, Pool& pool) const;
   void refresh(const YarnForces& forces);
-  void make_whole_pattern(const YarnForces& forces);
+  bool fits(const YarnForces& forces) const;
+  void change_pattern(const YarnForces& forces);
   template <class Term>
   void place(const Term& term, Pool& pool) const;
   template <class Term>
@@ -61,6 +64,7 @@ class Assembly {
 
   DofMap map_;
   Stencils stencils_;
+  std::shared_ptr<const SparsePattern> lasting_;  // of the terms whose stencils never change
   std::shared_ptr<const SparsePattern> pattern_;
   std::array<Pool, kNumTerms> pools_;
   std::array<double, kNumTerms> energies_{};

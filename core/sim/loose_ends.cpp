@@ -31,6 +31,11 @@ class EndsObjective final : public Objective {
     put(z);
     return allowed_move(forces_, q_, in_place(dz), a);
   }
+  /// Whether the straight way from one place to another leads through nothing.
+  bool allows(const VecX& z, const VecX& to) {
+    put(z);
+    return allowed_move(forces_, q_, in_place(to - z), 1.0) == 1.0;
+  }
   double value_scale() const override { return assembly_.scale(); }
   void predict(const VecX& z, const VecX& dz) override {
     put(z);
@@ -98,9 +103,11 @@ double LooseEnds::settle(YarnForces& forces, VecX& q, const VecX& before, double
   VecX z = pick(coords_, q);
   const VecX alternative = pick(coords_, before);
   double lowest = objective.value(z);
-  if (const double value = objective.value(alternative); !(lowest <= value)) {
-    z = alternative;
-    lowest = value;
+  if (objective.allows(z, alternative)) {
+    if (const double value = objective.value(alternative); !(lowest <= value)) {
+      z = alternative;
+      lowest = value;
+    }
   }
   const VecX start = z;
   objective.predict(z, VecX::Zero(z.size()));

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "force/self_collision.h"
 #include "force/stretch.h"
 #include "force/wrapping.h"
 #include "model/check_values.h"
@@ -118,6 +119,8 @@ void Monitor::report(const Simulation& sim, RunSummary& summary) const {
     summary.max_slid_m = largest;
     summary.mean_slid_m = count > 0 ? sum / count : 0.0;
   }
+  if (sim.model().effects.self_collision)
+    summary.self_collision_start_overlaps = term_of<SelfCollision>(sim.forces()).start_overlaps();
   const auto& wraps = term_of<Wrapping>(sim.forces());
   if (wraps.size() == 0) return;
   FadeCount all, inner;

@@ -61,6 +61,7 @@ struct RunSummary {
   std::optional<double> faded_wrap_share;    // of all wraps at the end, and of those away from every edge
   std::optional<double> faded_wrap_share_interior;
   std::optional<long> wrap_ridge_entries;    // wraps that entered the cap around psi = s psi0 +- pi
+  std::optional<int> self_collision_start_overlaps;  // SelfCollision::start_overlaps()
   std::vector<HandleForce> handles;          // one a handle of the scene
   std::optional<long> peak_memory_bytes;
   std::string state_hash;                    // of the final q

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <numeric>
 
 namespace slipstitch {
 
@@ -28,26 +29,54 @@ bool SparsePattern::contains(std::span<const int> clique) const {
 }
 
 std::shared_ptr<const SparsePattern> make_pattern(int n, std::span<const std::vector<int>> cliques) {
-  std::vector<std::vector<int>> columns(static_cast<std::size_t>(n));
-  for (int c = 0; c < n; ++c) columns[static_cast<std::size_t>(c)].push_back(c);
-  for (const auto& clique : cliques) {
-    for (int c : clique) {
-      if (c < 0) continue;
-      auto& column = columns[static_cast<std::size_t>(c)];
-      for (int r : clique)
-        if (r > c) column.push_back(r);
-    }
-  }
+  SparsePattern diagonal;
+  diagonal.n = n;
+  diagonal.row.resize(static_cast<std::size_t>(n));
+  std::iota(diagonal.row.begin(), diagonal.row.end(), 0);
+  diagonal.column_first.resize(static_cast<std::size_t>(n) + 1);
+  std::iota(diagonal.column_first.begin(), diagonal.column_first.end(), 0);
+  return with_cliques(diagonal, cliques);
+}
+
+std::shared_ptr<const SparsePattern> with_cliques(const SparsePattern& base, std::span<const std::vector<int>> cliques) {
+  std::vector<std::vector<const std::vector<int>*>> cliques_of(static_cast<std::size_t>(base.n));
+  for (const auto& clique : cliques)
+    for (int c : clique)
+      if (c >= 0) cliques_of[static_cast<std::size_t>(c)].push_back(&clique);
   auto pattern = std::make_shared<SparsePattern>();
-  pattern->n = n;
+  pattern->n = base.n;
   pattern->column_first.assign(1, 0);
-  for (auto& column : columns) {
-    std::sort(column.begin(), column.end());
-    column.erase(std::unique(column.begin(), column.end()), column.end());
-    pattern->row.insert(pattern->row.end(), column.begin(), column.end());
+  std::vector<int> last_column(static_cast<std::size_t>(base.n), -1);  // that an entry in the row was put into
+  for (int c = 0; c < base.n; ++c) {
+    const auto put = [&](int r) {
+      if (r < c || last_column[static_cast<std::size_t>(r)] == c) return;
+      last_column[static_cast<std::size_t>(r)] = c;
+      pattern->row.push_back(r);
+    };
+    const auto column = static_cast<std::size_t>(c);
+    const auto first = pattern->row.size();
+    for (int k = base.column_first[column]; k < base.column_first[column + 1]; ++k)
+      put(base.row[static_cast<std::size_t>(k)]);
+    for (const auto* clique : cliques_of[column])
+      for (int r : *clique) put(r);
+    std::sort(pattern->row.begin() + static_cast<std::ptrdiff_t>(first), pattern->row.end());
     pattern->column_first.push_back(pattern->nonzeros());
   }
   return pattern;
+}
+
+std::vector<int> slots_in(const SparsePattern& from, const SparsePattern& to) {
+  std::vector<int> slots(from.row.size(), -1);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(from.n); ++c) {
+    auto k = static_cast<std::size_t>(to.column_first[c]);
+    const auto end = static_cast<std::size_t>(to.column_first[c + 1]);
+    for (auto i = static_cast<std::size_t>(from.column_first[c]); i < static_cast<std::size_t>(from.column_first[c + 1]);
+         ++i) {
+      while (k < end && to.row[k] < from.row[i]) ++k;
+      if (k < end && to.row[k] == from.row[i]) slots[i] = static_cast<int>(k);
+    }
+  }
+  return slots;
 }
 
 void multiply(const SparseMatrix& a, const VecX& x, VecX& y) {

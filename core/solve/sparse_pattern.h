@@ -25,6 +25,12 @@ struct SparsePattern {
 /// Union of the cliques of the given index lists (each ascending or not, indices in [0, n), negatives skipped).
 std::shared_ptr<const SparsePattern> make_pattern(int n, std::span<const std::vector<int>> cliques);
 
+/// Union of a pattern and cliques as above.
+std::shared_ptr<const SparsePattern> with_cliques(const SparsePattern& base, std::span<const std::vector<int>> cliques);
+
+/// Position in `to` of every entry of `from`, -1 where it has none. Same n.
+std::vector<int> slots_in(const SparsePattern& from, const SparsePattern& to);
+
 struct SparseMatrix {
   std::shared_ptr<const SparsePattern> pattern;
   std::vector<double> values;  // (nonzeros)

@@ -9,6 +9,7 @@
 
 #include "collide/closest_point.h"
 #include "sim/prepare.h"
+#include "sim/run.h"
 #include "sim/simulation.h"
 #include "support/knit_scene.h"
 
@@ -73,6 +74,7 @@ TEST(SelfCollision, IsNotFeltByARelaxedSwatchOrTube) {
     scene.effects.self_collision.emplace();
     const Model model = prepare(scene).model;
     SelfCollision contact(model);
+    EXPECT_EQ(contact.start_overlaps(), 0);
     State state;
     state.q = model.start_q;
     contact.begin_step({1e-3, state});
@@ -87,6 +89,107 @@ TEST(SelfCollision, IsNotFeltByARelaxedSwatchOrTube) {
     EXPECT_EQ(energy, 0.0);
     EXPECT_EQ(force, 0.0);
   }
+}
+
+/// Two straight yarns of one segment each that cross at right angles, `apart` between their centrelines.
+Scene two_yarns(double apart) {
+  Scene scene;
+  scene.effects.stretch.emplace();
+  scene.effects.inertia.emplace();
+  scene.effects.self_collision.emplace();
+  scene.yarns.resize(2);
+  scene.yarns[0].points = {{-5e-4, 0.0, 0.0}, {5e-4, 0.0, 0.0}};
+  scene.yarns[1].points = {{0.0, -5e-4, apart}, {0.0, 5e-4, apart}};
+  return scene;
+}
+
+/// Energy of the yarns of a scene once the second has been lowered to `apart`.
+double energy_at(const Scene& scene, double apart) {
+  const Model model = compile(scene, nullptr);
+  SelfCollision contact(model);
+  VecX dq = VecX::Zero(model.start_q.size());
+  for (int n : {2, 3}) dq[3 * n + 2] = apart - model.start_q[3 * n + 2];
+  contact.watch(model.start_q, dq, 1.0);
+  double energy = 0.0;
+  const VecX q = model.start_q + dq;
+  for (int k = 0; k < contact.size(); ++k) {
+    Vec<12> x;
+    for (int i = 0; i < 12; ++i) x[i] = q[contact.coords(k)[static_cast<std::size_t>(i)]];
+    energy += contact.eval(k, x, nullptr, nullptr);
+  }
+  return energy;
+}
+
+// Points lie beside the crossing, so that the energy begins a little below d: at the middles of the pieces.
+TEST(SelfCollision, BeginsADiameterApartBetweenStrangers) {
+  const Scene scene = two_yarns(6e-3);
+  const double d = 2.0 * scene.yarn.radius_m;
+  EXPECT_EQ(SelfCollision(compile(scene, nullptr)).start_overlaps(), 0);
+  EXPECT_EQ(energy_at(scene, 1.001 * d), 0.0);
+  EXPECT_GT(energy_at(scene, 0.999 * d), 0.0);
+}
+
+TEST(SelfCollision, CountsStrangersThatOverlapAtTheStartAndLeavesThemAtRest) {
+  const Scene scene = two_yarns(1e-3);
+  ASSERT_GT(2.0 * scene.yarn.radius_m, 1e-3);
+  EXPECT_EQ(SelfCollision(compile(scene, nullptr)).start_overlaps(), 1);
+  EXPECT_EQ(energy_at(scene, 1e-3), 0.0);
+  EXPECT_GT(energy_at(scene, 0.97e-3), 0.0);
+  const RunSummary summary = run(scene, 1, {});
+  EXPECT_EQ(summary.self_collision_start_overlaps, 1) << summary.message;
+  Scene off = scene;
+  off.effects.self_collision.reset();
+  EXPECT_FALSE(run(off, 1, {}).self_collision_start_overlaps.has_value());
+}
+
+// Five yarns side by side over one: they touch it one after another, and the last way lifts them all but one.
+TEST(SelfCollision, HasTheSameMatrixHoweverItsStencilsCame) {
+  Scene scene = two_yarns(6e-3);
+  scene.effects.inertia.reset();
+  const double d = 2.0 * scene.yarn.radius_m;
+  scene.yarns[0].points = {{-1e-2, 0.0, 0.0}, {1e-2, 0.0, 0.0}};
+  scene.yarns[1].points = {{-8e-3, -5e-4, 6e-3}, {-8e-3, 5e-4, 6e-3}};
+  for (int k = 1; k < 5; ++k) {
+    scene.yarns.push_back(scene.yarns[1]);
+    for (Vec3& x : scene.yarns.back().points) x.x() += 4e-3 * k;
+  }
+  const Model model = compile(scene, nullptr);
+  YarnForces forces = make_forces(model);
+  const DofMap map = make_dof_map(model);
+  Assembly kept(forces, map);
+  VecX q = model.start_q;
+  const auto expect_same = [&] {
+    Assembly fresh(forces, map);
+    VecX g_kept, g_fresh;
+    SparseMatrix h_kept, h_fresh;
+    kept.derivatives(forces, q, HessianMode::exact, g_kept, h_kept);
+    fresh.derivatives(forces, q, HessianMode::exact, g_fresh, h_fresh);
+    EXPECT_GT(g_fresh.norm(), 0.0);
+    EXPECT_EQ(g_kept, g_fresh);
+    const VecX x = VecX::LinSpaced(map.num_dofs, -1.0, 2.0);
+    VecX kept_x, fresh_x;
+    multiply(h_kept, x, kept_x);
+    multiply(h_fresh, x, fresh_x);
+    EXPECT_LT((kept_x - fresh_x).norm(), 1e-12 * fresh_x.norm());
+  };
+  const auto move = [&](int yarn, double to) {
+    VecX dq = VecX::Zero(q.size());
+    for (int n : {2 * yarn, 2 * yarn + 1}) dq[3 * n + 2] = to - q[3 * n + 2];
+    std::get<SelfCollision>(forces).watch(q, dq, 1.0);
+    q += dq;
+  };
+  State state;
+  for (int yarn : {3, 1, 5, 2, 4}) {
+    move(yarn, 0.96 * d);
+    expect_same();
+  }
+  for (int yarn : {1, 2, 3, 5}) move(yarn, 3.0 * d);
+  state.q = q;
+  std::get<SelfCollision>(forces).begin_step({1e-3, state});
+  EXPECT_EQ(std::get<SelfCollision>(forces).size(), 1);
+  expect_same();
+  move(3, 0.96 * d);
+  expect_same();
 }
 
 Scene curling_swatch() {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "dense_matrix.h"
 
@@ -69,6 +70,26 @@ TEST(Cholmod, TakesAnotherPattern) {
     ASSERT_EQ(solver->solve(b, x), LinearStatus::ok);
     multiply(a, x, back);
     EXPECT_LT((back - b).norm(), 1e-13) << n;
+  }
+}
+
+TEST(Cholmod, TakesAnotherPatternOfTheSameSizeWhetherItsOrderStillFitsOrNot) {
+  constexpr int n = 12;
+  std::vector<int> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  const auto ring_only = ring_pattern(n), full = make_pattern(n, std::vector<std::vector<int>>{all});
+  const auto chord = with_cliques(*ring_only, std::vector<std::vector<int>>{{2, 7}});
+  Eigen::MatrixXd with_chord = ring(n, 1.0), filled = Eigen::MatrixXd::Constant(n, n, -0.05) + ring(n, 1.0);
+  with_chord(2, 7) = with_chord(7, 2) = -0.5;
+  const auto solver = make_cholmod_solver();
+  for (const SparseMatrix& a : {sparse(ring(n, 1.0), ring_only), sparse(with_chord, chord), sparse(filled, full),
+                                sparse(with_chord, chord), sparse(ring(n, 1.0), ring_only)}) {
+    VecX x, back;
+    const VecX b = VecX::LinSpaced(n, -1.0, 2.0);
+    ASSERT_EQ(solver->factor(a), LinearStatus::ok);
+    ASSERT_EQ(solver->solve(b, x), LinearStatus::ok);
+    multiply(a, x, back);
+    EXPECT_LT((back - b).norm(), 1e-12);
   }
 }
 

@@ -31,6 +31,16 @@ TEST(SparsePattern, WithoutCliquesIsTheDiagonal) {
   EXPECT_EQ(make_pattern(0, {})->nonzeros(), 0);
 }
 
+TEST(SparsePattern, TakesInFurtherCliquesAndKnowsWhereItsEntriesWent) {
+  const std::vector<std::vector<int>> lasting = {{0, 3}, {2, 4}}, first = {{1, 4}}, second = {{3, 0, -1}, {3, 4, 2}};
+  const auto base = make_pattern(5, lasting);
+  const auto before = with_cliques(*base, first), after = with_cliques(*base, second);
+  EXPECT_EQ(before->row, (std::vector<int>{0, 3, 1, 4, 2, 4, 3, 4}));
+  EXPECT_EQ(after->column_first, (std::vector<int>{0, 2, 3, 6, 8, 9}));
+  EXPECT_EQ(after->row, (std::vector<int>{0, 3, 1, 2, 3, 4, 3, 4, 4}));
+  EXPECT_EQ(slots_in(*before, *after), (std::vector<int>{0, 1, 2, -1, 3, 5, 6, 8}));
+}
+
 TEST(SparseMatrix, MultipliesAsTheFullSymmetricMatrix) {
   Eigen::MatrixXd dense(4, 4);
   dense << 4, -1, 0, 2,  //

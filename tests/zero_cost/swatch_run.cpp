@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A swatch hung by its corners and swung, with five effects. Built twice: against the simulator with every term in its
-// list and against one with those five alone. Prints the number of terms, then what the run gave, bit by bit.
+// list and against one with those five alone. Prints the number of terms, then what the run gave, bit by bit. Argument:
+// duration [s], 0.1 if there is none.
 #include <cinttypes>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "force/yarn_forces.h"
@@ -11,7 +13,7 @@
 namespace slipstitch {
 namespace {
 
-Scene swung_swatch() {
+Scene swung_swatch(double duration_s) {
   Scene scene;
   Issues issues;
   scene.knit.emplace().pattern = pattern_from_preset({"stockinette", 5, 4}, false, "preset", issues);
@@ -23,7 +25,7 @@ Scene swung_swatch() {
   scene.effects.wrapping.emplace().alpha = 0.03;
   scene.handles = {Handle{Corner::top_left, {}, false},
                    Handle{Corner::top_right, {{0.05, {-2e-3, 0.0, 3e-3}, Vec3::Zero()}}, false}};
-  scene.duration_s = 0.1;
+  scene.duration_s = duration_s;
   return scene;
 }
 
@@ -36,9 +38,9 @@ void print_bits(const char* name, double value) {
 }  // namespace
 }  // namespace slipstitch
 
-int main() {
+int main(int argc, char** argv) {
   using namespace slipstitch;
-  const Scene scene = swung_swatch();
+  const Scene scene = swung_swatch(argc > 1 ? std::atof(argv[1]) : 0.1);
   for (const Issue& issue : check(scene)) std::printf("%s is %s\n", issue.path.c_str(), issue.value.c_str());
   const RunSummary summary = run(scene, 1, {});
   std::printf("%zu terms\n", kNumTerms);
