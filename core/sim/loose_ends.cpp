@@ -2,8 +2,10 @@
 #include "sim/loose_ends.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "force/body_contact.h"
 #include "sim/moves.h"
 #include "solve/newton.h"
 
@@ -30,6 +32,19 @@ class EndsObjective final : public Objective {
     const double a = std::min(1.0, kLongestMove / std::max(dz.cwiseAbs().maxCoeff(), 1e-300));
     put(z);
     return allowed_move(forces_, q_, in_place(dz), a);
+  }
+  /// Whether no dynamic sphere is in the way from z to z + dz.
+  bool is_clear(const VecX& z, const VecX& dz) {
+    put(z);
+    const VecX dq = in_place(dz);
+    const auto clear = [&](auto& term) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(term)>, BodyContact>) {
+        term.watch(q_, dq, 1.0);
+        return term.max_step(q_, dq, 1.0) == 1.0;
+      }
+      return true;
+    };
+    return std::apply([&](auto&... term) { return (clear(term) && ...); }, forces_);
   }
   double value_scale() const override { return assembly_.scale(); }
   void predict(const VecX& z, const VecX& dz) override {
@@ -98,7 +113,8 @@ double LooseEnds::settle(YarnForces& forces, VecX& q, const VecX& before, double
   VecX z = pick(coords_, q);
   const VecX alternative = pick(coords_, before);
   double lowest = objective.value(z);
-  if (const double value = objective.value(alternative); !(lowest <= value)) {
+  const double value = objective.value(alternative);
+  if (!(lowest <= value) && (!std::isfinite(lowest) || objective.is_clear(z, alternative - z))) {
     z = alternative;
     lowest = value;
   }

@@ -33,6 +33,7 @@ class Run {
     const RunStatus status = march(sim, monitor, forces);
     monitor.report(sim, summary_);
     summary_.handles = forces.report();
+    summary_.bodies = body_motions(sim);
     summary_.effect_cost = sim.effect_costs();
     summary_.energy_j = sim.energies();
     summary_.wall_by_phase_s = sim.wall_by_phase_s();
@@ -72,6 +73,7 @@ class Run {
                         shrinkage ? shrinkage->keyframes : std::vector<LengthKeyframe>()});
     }
     emit(sim);
+    trace_bodies(sim);
   }
 
   void emit(const Simulation& sim) {
@@ -92,6 +94,13 @@ class Run {
     p.residual = residual;
     p.wall_s = wall();
     hooks_.on_progress(p);
+  }
+
+  void trace_bodies(const Simulation& sim) const {
+    if (!hooks_.on_bodies || sim.model().bodies.empty()) return;
+    std::vector<Vec3> centres;
+    for (const BodyMotion& body : body_motions(sim)) centres.push_back(body.position_m);
+    hooks_.on_bodies(sim.state().t, centres);
   }
 
   void measure(const Simulation& sim, HandleForces& forces) const {
@@ -137,6 +146,7 @@ class Run {
       last_residual_ = report.residual;
       step_ = std::min(largest, 2.0 * step_);
       measure(sim, forces);
+      trace_bodies(sim);
       if (const auto stop = monitor.observe(sim, report.residual)) {
         summary_.message = *stop;
         return RunStatus::failed;

@@ -21,6 +21,12 @@ void fields(auto& visit, auto& force) requires std::is_same_v<std::remove_cvref_
   visit("max_reaction_t_s", force.max_reaction_t_s);
 }
 
+void fields(auto& visit, auto& body) requires std::is_same_v<std::remove_cvref_t<decltype(body)>, BodyMotion> {
+  visit("collider", body.collider);
+  visit("position_m", body.position_m);
+  visit("velocity_m_per_s", body.velocity_m_per_s);
+}
+
 void fields(auto& visit, auto& cost) requires std::is_same_v<std::remove_cvref_t<decltype(cost)>, EffectCost> {
   visit("stencils", cost.stencils);
   visit("bytes", cost.bytes);
@@ -50,12 +56,14 @@ class JsonWriter {
     return json;
   }
   static Json as_json(const Vec3& vector) { return {as_json(vector[0]), as_json(vector[1]), as_json(vector[2])}; }
-  static Json as_json(const std::vector<HandleForce>& values) {
+  template <class T>
+  static Json as_json(const std::vector<T>& values) {
     Json json = Json::array();
-    for (const HandleForce& value : values) json.push_back(as_json(value));
+    for (const T& value : values) json.push_back(as_json(value));
     return json;
   }
   static Json as_json(const HandleForce& value) { return as_object(value); }
+  static Json as_json(const BodyMotion& value) { return as_object(value); }
   static Json as_json(const EffectCost& value) { return as_object(value); }
   template <class T>
   static Json as_object(const T& value) {
@@ -107,7 +115,8 @@ class JsonReader {
     value.reset();
     return json.is_null() || from_json(json, value.emplace());
   }
-  static bool from_json(const nlohmann::json& json, std::vector<std::string>& values) {
+  template <class T>
+  static bool from_json(const nlohmann::json& json, std::vector<T>& values) {
     bool ok = json.is_array();
     for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
     return ok;
@@ -116,12 +125,8 @@ class JsonReader {
     if (!json.is_array() || json.size() != 3) return false;
     return from_json(json[0], vector[0]) && from_json(json[1], vector[1]) && from_json(json[2], vector[2]);
   }
-  static bool from_json(const nlohmann::json& json, std::vector<HandleForce>& values) {
-    bool ok = json.is_array();
-    for (std::size_t i = 0; ok && i < json.size(); ++i) ok = from_json(json[i], values.emplace_back());
-    return ok;
-  }
   static bool from_json(const nlohmann::json& json, HandleForce& value) { return from_object(json, value); }
+  static bool from_json(const nlohmann::json& json, BodyMotion& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, EffectCost& value) { return from_object(json, value); }
   template <class T>
   static bool from_object(const nlohmann::json& json, T& value) {
@@ -206,6 +211,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("faded_wrap_share_interior", summary.faded_wrap_share_interior);
   visit("wrap_ridge_entries", summary.wrap_ridge_entries);
   visit("handles", summary.handles);
+  visit("bodies", summary.bodies);
   visit("peak_memory_bytes", summary.peak_memory_bytes);
   visit("state_hash", summary.state_hash);
   visit("linear_solver", summary.linear_solver);
