@@ -2,6 +2,7 @@
 #include "collide/closest_point.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slipstitch {
 
@@ -40,6 +41,14 @@ SegmentPair closest_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, 
   if (t < 0.0) return {inside(-c / a), 0.0};
   if (t > 1.0) return {inside((b - c) / a), 1.0};
   return {s, t};
+}
+
+double first_reach(const Vec3& p, const Vec3& dp, double floor) {
+  const double a = dp.squaredNorm(), b = p.dot(dp), c = p.squaredNorm() - floor * floor;
+  if (!(b < 0.0)) return 1.0;
+  const double root = b * b - a * c;
+  if (root < 0.0) return 1.0;
+  return std::clamp(c / (-b + std::sqrt(root)), 0.0, 1.0);
 }
 
 }  // namespace slipstitch

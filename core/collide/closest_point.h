@@ -24,4 +24,7 @@ struct SegmentPair {
 };
 SegmentPair closest_of_segments(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1);
 
+/// First a in [0, 1] where |p + a dp| = floor, from outside; 1 if there is none.
+double first_reach(const Vec3& p, const Vec3& dp, double floor);
+
 }  // namespace slipstitch

@@ -4,13 +4,12 @@
 namespace slipstitch {
 namespace {
 
-using Shapes = std::variant<Plane, Sphere, Capsule, Box, MeshDistance>;
-
+template <class Shapes>
 Shapes ready(const Shape& shape) {
   return std::visit(
       [](const auto& s) {
         if constexpr (std::is_same_v<std::decay_t<decltype(s)>, TriangleMesh>)
-          return Shapes(MeshDistance(s));
+          return Shapes(std::make_shared<const MeshDistance>(s));
         else
           return Shapes(s);
       },
@@ -19,7 +18,7 @@ Shapes ready(const Shape& shape) {
 
 struct To {
   const Vec3& p;
-  Distance operator()(const MeshDistance& mesh) const { return mesh(p); }
+  Distance operator()(const std::shared_ptr<const MeshDistance>& mesh) const { return (*mesh)(p); }
   template <class S>
   Distance operator()(const S& shape) const {
     return distance_to(shape, p);
@@ -29,7 +28,7 @@ struct To {
 }  // namespace
 
 RigidBody::RigidBody(const Collider& collider)
-    : shape_(ready(collider.shape)),
+    : shape_(ready<Shapes>(collider.shape)),
       motion_(collider.motion),
       centre_(centre_of(collider.shape)),
       friction_(collider.friction) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <variant>
 
 #include "collide/mesh_distance.h"
@@ -8,7 +9,7 @@
 
 namespace slipstitch {
 
-/// A collider at a time.
+/// A collider at a time. Copies share a mesh.
 class RigidBody {
  public:
   explicit RigidBody(const Collider& collider);
@@ -20,7 +21,9 @@ class RigidBody {
   double friction() const { return friction_; }
 
  private:
-  std::variant<Plane, Sphere, Capsule, Box, MeshDistance> shape_;  // where it stands at t = 0
+  using Shapes = std::variant<Plane, Sphere, Capsule, Box, std::shared_ptr<const MeshDistance>>;
+
+  Shapes shape_;  // where it stands at t = 0
   std::vector<Keyframe> motion_;
   Vec3 centre_, translation_ = Vec3::Zero();
   Mat3 turn_ = Mat3::Identity();

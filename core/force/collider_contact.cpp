@@ -6,38 +6,22 @@
 #include <limits>
 
 #include "force/scripted_nodes.h"
+#include "force/weighted_point.h"
 
 namespace slipstitch {
 namespace {
 
-constexpr double kDeepest = 0.1;      // overlap, in yarn radii
-constexpr double kStiffness = 1e-3;   // of EA
-constexpr double kReach = 4.0;        // radii within which a point is watched, besides what it moves in a step
-constexpr double kReachOfMove = 1.5;  // of the way that its velocity takes it
-constexpr double kKeep = 0.1;         // share of the way to the deepest overlap that one Newton step leaves
 constexpr int kMaxAdvances = 60;
-constexpr int kMaxPushes = 100;
 
 Vec3 place(double share, const Vec<6>& q) { return (1.0 - share) * q.head<3>() + share * q.tail<3>(); }
 
-/// hess = [(1-s)^2 B, s(1-s) B; s(1-s) B, s^2 B].
-void spread(double share, const Mat3& block, Mat<6>& hess) {
-  const double w[2] = {1.0 - share, share};
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) hess.block<3, 3>(3 * i, 3 * j) = w[i] * w[j] * block;
-}
+std::array<double, 2> weights(double share) { return {1.0 - share, share}; }
 
 }  // namespace
 
-ColliderContact::ColliderContact(const Model& model) {
-  const auto& effect = model.effects.colliders;
-  if (!effect) return;
-  radius_ = model.yarn.radius_m;
-  depth_ = kDeepest * radius_;
-  k_ = effect->stiffness_n.value_or(kStiffness * model.yarn.stretch_n);
-  samples_ = touch_samples(model);
-  held_ = scripted_nodes(model);
-  for (const Collider& collider : effect->colliders) bodies_.emplace_back(collider);
+ColliderContact::ColliderContact(const Model& model, SharedTouchParts parts)
+    : parts_(std::move(parts)), radius_(parts_->radius), depth_(parts_->depth), k_(parts_->k), bodies_(parts_->bodies) {
+  if (!bodies_.empty()) held_ = scripted_nodes(model);
 }
 
 double ColliderContact::gap(const Pair& pair, const VecX& q) const {
@@ -52,12 +36,13 @@ void ColliderContact::begin_step(const StepContext& step) {
   if (bodies_.empty()) return;
   for (RigidBody& body : bodies_) body.move_to(step.start.t + step.h);
   std::vector<Pair> pairs;
-  clear_.assign(samples_.size(), std::numeric_limits<double>::infinity());
-  start_.resize(samples_.size());
-  for (int s = 0; s < static_cast<int>(samples_.size()); ++s) {
+  clear_.assign(samples().size(), std::numeric_limits<double>::infinity());
+  start_.resize(samples().size());
+  for (int s = 0; s < static_cast<int>(samples().size()); ++s) {
     const auto i = static_cast<std::size_t>(s);
-    start_[i] = place_of(samples_[i], step.start.q);
-    const double reach = kReach * radius_ + kReachOfMove * step.h * place_of(samples_[i], step.start.v).norm();
+    start_[i] = place_of(samples()[i], step.start.q);
+    const double reach =
+        kTouchReach * radius_ + kTouchReachOfMove * step.h * place_of(samples()[i], step.start.v).norm();
     for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
       const double gap = body(b).distance(start_[i]).phi - radius_;
       if (gap <= reach)
@@ -76,7 +61,7 @@ double ColliderContact::eval(int k, const Vec<6>& q, Vec<6>* g, Mat<6>* hess) co
   const Distance d = body(pairs_[static_cast<std::size_t>(k)].body).distance(place(share, q));
   const GapEnergy e = gap_energy(k_, depth_, d.phi - radius_);
   if (g) *g << (1.0 - share) * e.slope * d.normal, share * e.slope * d.normal;
-  if (hess) spread(share, e.curvature * d.normal * d.normal.transpose() + e.slope * d.curvature, *hess);
+  if (hess) spread(weights(share), e.curvature * d.normal * d.normal.transpose() + e.slope * d.curvature, *hess);
   return e.value;
 }
 
@@ -84,7 +69,7 @@ void ColliderContact::convex_hessian(int k, const Vec<6>& q, Mat<6>& hess) const
   const double share = sample_of(k).share;
   const Distance d = body(pairs_[static_cast<std::size_t>(k)].body).distance(place(share, q));
   const GapEnergy e = gap_energy(k_, depth_, d.phi - radius_);
-  spread(share, e.curvature * d.normal * d.normal.transpose(), hess);
+  spread(weights(share), e.curvature * d.normal * d.normal.transpose(), hess);
 }
 
 /// Conservative advancement: a distance grows no faster than its point moves.
@@ -93,8 +78,8 @@ double ColliderContact::keep_apart(const Pair& pair, const VecX& q, const VecX& 
   const double way = dx.norm();
   if (!(way > 0.0)) return a;
   const double room = body(pair.body).distance(x).phi - radius_ + depth_;  // > 0
-  if (a * way < (1.0 - kKeep) * room) return a;
-  const double floor = kKeep * std::min(room, depth_);
+  if (a * way < (1.0 - kTouchKeep) * room) return a;
+  const double floor = kTouchKeep * std::min(room, depth_);
   double done = 0.0, left = room - floor;
   for (int i = 0; i < kMaxAdvances && left > 1e-3 * floor; ++i) {
     done += left / way;
@@ -105,9 +90,9 @@ double ColliderContact::keep_apart(const Pair& pair, const VecX& q, const VecX& 
 }
 
 double ColliderContact::max_step(const VecX& q, const VecX& dq, double a) const {
-  for (std::size_t i = 0; i < samples_.size(); ++i) {
+  for (std::size_t i = 0; i < samples().size(); ++i) {
     if (!std::isfinite(clear_[i])) continue;
-    const double way = place_of(samples_[i], dq).norm(), gone = (place_of(samples_[i], q) - start_[i]).norm();
+    const double way = place_of(samples()[i], dq).norm(), gone = (place_of(samples()[i], q) - start_[i]).norm();
     if (gone + a * way > clear_[i]) a = std::max(0.0, clear_[i] - gone) / way;
   }
   for (const Pair& pair : pairs_) a = keep_apart(pair, q, dq, a);

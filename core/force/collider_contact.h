@@ -6,7 +6,7 @@
 #include "collide/rigid_body.h"
 #include "force/gap_energy.h"
 #include "force/term.h"
-#include "force/touch_samples.h"
+#include "force/touch_parts.h"
 
 namespace slipstitch {
 
@@ -24,12 +24,14 @@ class ColliderContact {
     bool operator==(const Pair&) const = default;
   };
 
-  explicit ColliderContact(const Model& model);
+  explicit ColliderContact(const Model& model) : ColliderContact(model, touch_parts(model)) {}
+  ColliderContact(const Model& model, SharedTouchParts parts);
   int size() const { return static_cast<int>(pairs_.size()); }
   std::array<int, kSize> coords(int k) const { return sample_of(k).coords; }
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
   void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const;
   void begin_step(const StepContext& step);
+  const SharedTouchParts& parts() const { return parts_; }
 
   /// Changes whenever begin_step changes the stencils.
   long revision() const { return revision_; }
@@ -38,7 +40,7 @@ class ColliderContact {
   /// Moves points out of bodies that have moved over them, as far as handles allow.
   void push_out(const VecX& q0, VecX& q) const;
 
-  const TouchSample& sample(int i) const { return samples_[static_cast<std::size_t>(i)]; }
+  const TouchSample& sample(int i) const { return samples()[static_cast<std::size_t>(i)]; }
   const RigidBody& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
   const std::vector<Pair>& pairs() const { return pairs_; }
   double gap(const Pair& pair, const VecX& q) const;
@@ -49,10 +51,12 @@ class ColliderContact {
   double keep_apart(const Pair& pair, const VecX& q, const VecX& dq, double a) const;
   bool push_out_once(VecX& q) const;
 
-  double radius_ = 0.0, depth_ = 0.0, k_ = 0.0;  // [m], [m], [N]
-  std::vector<TouchSample> samples_;
-  std::vector<char> held_;  // per node: a handle moves it
-  std::vector<RigidBody> bodies_;
+  const std::vector<TouchSample>& samples() const { return parts_->samples; }
+
+  SharedTouchParts parts_;
+  double radius_, depth_, k_;      // [m], [m], [N]
+  std::vector<char> held_;         // per node: a handle moves it
+  std::vector<RigidBody> bodies_;  // where they are at the end of the step
   std::vector<Pair> pairs_;
   std::vector<double> clear_;  // per sample: least gap to the bodies it is not paired with [m]
   std::vector<Vec3> start_;    // per sample: place at the start of the step

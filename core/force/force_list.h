@@ -4,14 +4,26 @@
 #include <tuple>
 #include <type_traits>
 
+#include "force/touch_parts.h"
 #include "model/model.h"
 
 namespace slipstitch {
 
+template <class Term>
+Term make_term(const Model& model, const SharedTouchParts& parts) {
+  if constexpr (std::is_constructible_v<Term, const Model&, SharedTouchParts>) {
+    return Term(model, parts);
+  } else {
+    return Term(model);
+  }
+}
+
 template <class List>
 List make_list(const Model& model) {
-  return
-      [&]<class... T>(std::type_identity<std::tuple<T...>>) { return List{T(model)...}; }(std::type_identity<List>{});
+  const SharedTouchParts parts = touch_parts(model);
+  return [&]<class... T>(std::type_identity<std::tuple<T...>>) {
+    return List{make_term<T>(model, parts)...};
+  }(std::type_identity<List>{});
 }
 
 template <class Term, class List>

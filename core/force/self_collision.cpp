@@ -54,15 +54,6 @@ Vec3 weighted(const std::array<double, 4>& w, const Vec<12>& q) {
   return w[0] * q.segment<3>(0) + w[1] * q.segment<3>(3) + w[2] * q.segment<3>(6) + w[3] * q.segment<3>(9);
 }
 
-/// First a in [0, 1] where |p + a dp| = floor, from outside; 1 if there is none.
-double first_reach(const Vec3& p, const Vec3& dp, double floor) {
-  const double a = dp.squaredNorm(), b = p.dot(dp), c = p.squaredNorm() - floor * floor;
-  if (!(b < 0.0)) return 1.0;
-  const double root = b * b - a * c;
-  if (root < 0.0) return 1.0;
-  return std::clamp(c / (-b + std::sqrt(root)), 0.0, 1.0);
-}
-
 }  // namespace
 
 SelfCollision::SelfCollision(const Model& model) {

@@ -8,9 +8,10 @@
 
 namespace slipstitch {
 
-std::vector<TouchSample> touch_samples(const Model& model) {
+std::vector<TouchSample> touch_samples(const Model& model, double spacing, TouchPoints points) {
   const Topology& topology = model.topology;
-  const std::vector<char> scripted = scripted_nodes(model);
+  std::vector<char> scripted = scripted_nodes(model);
+  if (points == TouchPoints::all) scripted.assign(scripted.size(), 0);
   std::vector<char> taken(scripted.size(), 0);
   std::vector<TouchSample> samples;
   for_each_owned_segment(topology, [&](int, int i) {
@@ -26,7 +27,7 @@ std::vector<TouchSample> touch_samples(const Model& model) {
     add_node(n0, 0.0);
     add_node(n1, 1.0);
     if (scripted[static_cast<std::size_t>(n0)] && scripted[static_cast<std::size_t>(n1)]) return;
-    const int pieces = static_cast<int>(std::ceil(rest_length(topology, i) / (2.0 * model.yarn.radius_m) - 1e-9));
+    const int pieces = static_cast<int>(std::ceil(rest_length(topology, i) / spacing - 1e-9));
     for (int k = 1; k < pieces; ++k) add(static_cast<double>(k) / pieces);
   });
   return samples;

@@ -15,9 +15,10 @@ struct TouchSample {
   std::array<int, 6> coords{};  // x0, x1
 };
 
-/// Every node once, and points between the nodes of every owned segment, at most a yarn's diameter apart at rest.
-/// Points that handles move are left out: they go where the script says.
-std::vector<TouchSample> touch_samples(const Model& model);
+enum class TouchPoints { free, all };  // free: without those that handles move, which go where the script says
+
+/// Every node once, and points between the nodes of every owned segment, at most `spacing` [m] apart at rest.
+std::vector<TouchSample> touch_samples(const Model& model, double spacing, TouchPoints points);
 
 inline Vec3 place_of(const TouchSample& sample, const VecX& q) {
   return (1.0 - sample.share) * q.segment<3>(sample.coords[0]) + sample.share * q.segment<3>(sample.coords[3]);

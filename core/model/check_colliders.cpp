@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <array>
 #include <map>
 
 #include "model/check_parts.h"
@@ -86,15 +87,28 @@ struct CheckShape {
   }
 };
 
+constexpr std::array<const char*, std::variant_size_v<Shape>> kShapeWords{"plane", "sphere", "capsule", "box", "mesh"};
+
+void check_dynamic(const Collider& collider, bool inertia, const std::string& path, Checker& check) {
+  check.positive(path + ".mass_kg", collider.dynamic->mass_kg);
+  check.finite(path + ".velocity_m_per_s", collider.dynamic->velocity_m_per_s);
+  if (!std::holds_alternative<Sphere>(collider.shape))
+    check.fail(path, std::string("given for a ") + kShapeWords[collider.shape.index()],
+               "none: only a sphere can be dynamic");
+  if (!collider.motion.empty()) check.fail(path, "given", "either motion or dynamic, not both");
+  if (!inertia) check.fail(path, "given", "effects.inertia listed too: without it every step is at rest");
+}
+
 }  // namespace
 
-void check_colliders(const CollidersEffect& effect, Checker& check) {
+void check_colliders(const CollidersEffect& effect, bool inertia, Checker& check) {
   if (effect.colliders.empty()) check.fail("effects.colliders.colliders", "empty", "at least one collider");
   for (std::size_t i = 0; i < effect.colliders.size(); ++i) {
     const std::string path = element("effects.colliders.colliders", i);
     std::visit(CheckShape{path, check}, effect.colliders[i].shape);
     check.not_negative(path + ".friction_coefficient", effect.colliders[i].friction);
     check_motion(effect.colliders[i].motion, path + ".motion", check);
+    if (effect.colliders[i].dynamic) check_dynamic(effect.colliders[i], inertia, path + ".dynamic", check);
   }
   if (effect.stiffness_n) check.positive("effects.colliders.stiffness_n", *effect.stiffness_n);
   check.positive("effects.colliders.stick_stiffness_n_per_m", effect.stick_stiffness_n_per_m);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -35,10 +36,17 @@ struct TriangleMesh {  // closed, triangles counter-clockwise from outside
 
 using Shape = std::variant<Plane, Sphere, Capsule, Box, TriangleMesh>;
 
+/// A body that forces move. It does not turn.
+struct DynamicBody {
+  double mass_kg = 0.0;                  // > 0
+  Vec3 velocity_m_per_s = Vec3::Zero();  // at t = 0
+};
+
 struct Collider {
   Shape shape = Plane{};
-  double friction = 0.3;         // coefficient against the yarn >= 0
-  std::vector<Keyframe> motion;  // empty: fixed; rotation is about centre_of(shape)
+  double friction = 0.3;                              // coefficient against the yarn >= 0
+  std::vector<Keyframe> motion;                       // empty: fixed; rotation is about centre_of(shape)
+  std::optional<DynamicBody> dynamic = std::nullopt;  // of spheres only, not together with motion; needs inertia
 };
 
 /// Plane: its point; box, sphere: the centre; capsule: its middle; mesh: the mean of its vertices.

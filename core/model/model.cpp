@@ -2,6 +2,7 @@
 #include "model/model.h"
 
 #include "model/bare_yarns.h"
+#include "model/bodies.h"
 #include "model/knit_topology.h"
 #include "model/select.h"
 
@@ -76,6 +77,7 @@ Model compile(const Scene& scene, const RestCell* rest) {
   add_handles(scene, model);
   add_loads(scene, model);
   set_velocities(scene, model);
+  append_bodies(model);
   return model;
 }
 

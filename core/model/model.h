@@ -19,12 +19,19 @@ struct ScriptedNodes {
   int handle = -1;  // into Scene::handles; -1: the guides
 };
 
+/// A dynamic sphere. Its centre is a node that no yarn visits.
+struct Body {
+  int collider = -1, node = -1;  // into CollidersEffect::colliders, into the topology
+  double mass_kg = 0.0, radius_m = 0.0, friction = 0.0;
+};
+
 /// A scene made concrete: everything that is constant while simulating.
 struct Model {
   Topology topology;
   YarnMaterial yarn;
   Effects effects;
   std::vector<ScriptedNodes> handles;
+  std::vector<Body> bodies;  // ascending
   std::vector<int> load_nodes;
   std::vector<Vec3> load_forces;  // [N] per entry of load_nodes
   VecX start_q;                   // (num_coords)

@@ -10,9 +10,20 @@ constexpr double kAlphaThatRollsUp = 0.3;  // free edges of stockinette at this 
 
 bool moves(const Handle& handle) { return !handle.motion.empty() || handle.velocity_m_per_s.has_value(); }
 
+bool moves(const Collider& collider) {
+  return !collider.motion.empty() || (collider.dynamic && !collider.dynamic->velocity_m_per_s.isZero(0.0));
+}
+
+bool has_moving_collider(const Scene& scene) {
+  const auto& effect = scene.effects.colliders;
+  return effect && std::any_of(effect->colliders.begin(), effect->colliders.end(),
+                               [](const Collider& collider) { return moves(collider); });
+}
+
 bool at_rest_for_ever(const Scene& scene) {
-  return !scene.effects.gravity && !scene.effects.wind && !scene.effects.shrinkage && scene.loads.empty() &&
-         scene.initial_velocities.empty() && std::none_of(scene.handles.begin(), scene.handles.end(), moves) &&
+  return !has_moving_collider(scene) && !scene.effects.gravity && !scene.effects.wind && !scene.effects.shrinkage &&
+         scene.loads.empty() && scene.initial_velocities.empty() &&
+         std::none_of(scene.handles.begin(), scene.handles.end(), [](const Handle& handle) { return moves(handle); }) &&
          std::none_of(scene.yarns.begin(), scene.yarns.end(), [](const BareYarn& yarn) {
            return yarn.prestretch != 1.0 || !yarn.velocity_m_per_s.isZero(0.0);
          });

@@ -66,7 +66,7 @@ struct YarnPoint {  // point of Scene::yarns[yarn], or visit of the knit's yarn,
                     // them (the only one, yarn 0, where there are none); negative points count from the end
   int yarn = 0, point = 0;
 };
-struct AllNodes {};
+struct AllNodes {};  // of the yarn
 
 /// Which nodes. A corner is its corner stitch's nodes, an edge its outermost stitches.
 using Selector = std::variant<Corner, Edge, StitchRange, YarnPoint, AllNodes>;

@@ -44,7 +44,7 @@ struct Select {
   }
 
   std::vector<int> operator()(const AllNodes&) const {
-    std::vector<int> nodes(idx(topology.num_nodes));
+    std::vector<int> nodes(idx(topology.num_yarn_nodes()));
     std::iota(nodes.begin(), nodes.end(), 0);
     return nodes;
   }

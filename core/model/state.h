@@ -7,10 +7,10 @@
 
 namespace slipstitch {
 
-/// A point of yarn that lies on a collider.
+/// A point of yarn that friction holds on a collider.
 struct Touch {
-  int sample = 0, body = 0;      // of touch_samples(), of the scene's colliders
-  Vec3 anchor = Vec3::Zero();    // where friction holds it, in the body at t = 0 [m]
+  int sample = 0, body = 0;      // of TouchParts, of its bodies or of Model::bodies
+  Vec3 anchor = Vec3::Zero();    // where friction holds it, in the body at t = 0, from the centre if dynamic [m]
   double normal_force = 0.0;     // > 0 [N]
 };
 
@@ -22,7 +22,8 @@ struct State {
   VecX p;          // generalised momentum M v [kg m/s] (num_coords)
   VecX anchor;     // friction anchors, arc length [m] (num_visits); follows q where friction is off
   VecX set_angle;  // rest angle of the bend at every visit [rad] (num_visits); empty without plasticity
-  std::vector<Touch> touches;  // on colliders, ascending in sample, then body
+  std::vector<Touch> touches;            // on colliders that are not dynamic, ascending in sample, then body
+  std::vector<Touch> body_touches = {};  // on dynamic ones, likewise
 };
 
 }  // namespace slipstitch

@@ -15,6 +15,8 @@ namespace slipstitch {
 /// position, shared by all its visits. Visits are numbered consecutively along each yarn, yarn after yarn, with arc
 /// length increasing. Segment i joins visits i and i+1; it exists unless i is the last visit of its yarn.
 ///
+/// Nodes that no visit names are the last ones: the centres of the dynamic colliders, in their order.
+///
 /// Full coordinates q: the positions of all nodes, then the arc lengths of all visits:
 ///   q[3 n + c] = component c of node n [m],   q[3 num_nodes + i] = arc length of visit i [m].
 
@@ -48,7 +50,7 @@ struct Stitch {
 enum class SegmentKind : std::uint8_t { none, free, contact };  // none: behind the last visit of a yarn
 
 struct Topology {
-  int num_nodes = 0;
+  int num_nodes = 0, num_bodies = 0;           // nodes, the last num_bodies of them without yarn
   std::vector<int> yarn_first;                 // first visit of yarn y, closed by the visit count (num_yarns + 1)
   std::vector<int> visit_node;                 // (num_visits)
   std::vector<std::uint8_t> visit_slides;      // 1: arc length is an unknown when sliding is on (num_visits)
@@ -61,6 +63,7 @@ struct Topology {
   std::vector<Stitch> stitches;
   int num_courses = 0, num_wales = 0;          // 0: no knit
 
+  int num_yarn_nodes() const { return num_nodes - num_bodies; }
   int num_yarns() const { return static_cast<int>(yarn_material.size()); }
   int num_visits() const { return static_cast<int>(visit_node.size()); }
   int num_coords() const { return 3 * num_nodes + num_visits(); }

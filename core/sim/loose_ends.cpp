@@ -2,8 +2,10 @@
 #include "sim/loose_ends.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
+#include "force/body_contact.h"
 #include "sim/moves.h"
 #include "solve/newton.h"
 
@@ -103,7 +105,8 @@ double LooseEnds::settle(YarnForces& forces, VecX& q, const VecX& before, double
   VecX z = pick(coords_, q);
   const VecX alternative = pick(coords_, before);
   double lowest = objective.value(z);
-  if (objective.allows(z, alternative)) {
+  // Where the value here is infinite there is nothing to lose.
+  if (!std::isfinite(lowest) || objective.allows(z, alternative)) {
     if (const double value = objective.value(alternative); !(lowest <= value)) {
       z = alternative;
       lowest = value;

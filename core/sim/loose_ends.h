@@ -19,8 +19,9 @@ class LooseEnds {
   bool contains_node(int node) const { return is_end_[static_cast<std::size_t>(node)] != 0; }
   const std::vector<int>& coords() const { return coords_; }  // full coordinates of the ends
 
-  /// Minimises over the ends in q (full coordinates), from where they are in q or in `before`, whichever is lower, until
-  /// a Newton step is <= step_tolerance [m]. Never raises the energy. Returns the size of the last step, infinity if there was none.
+  /// Minimises over the ends in q (full coordinates), from where they are in q or in `before`, whichever is lower, but
+  /// past no dynamic sphere, until a Newton step is <= step_tolerance [m]. Never raises the energy. Returns the size of
+  /// the last step, infinity if there was none.
   double settle(YarnForces& forces, VecX& q, const VecX& before, double step_tolerance);
 
   /// What the terms took here, beside what they took in the whole.

@@ -43,6 +43,7 @@ class Run {
     monitor.report(sim, summary_);
     summary_.handles = forces.report();
     summary_.nonzeros = std::max<long>(summary_.nonzeros, sim.num_nonzeros());
+    summary_.bodies = body_motions(sim);
     summary_.effect_cost = sim.effect_costs();
     summary_.energy_j = sim.energies();
     summary_.wall_by_phase_s = sim.wall_by_phase_s();
@@ -83,6 +84,7 @@ class Run {
                         shrinkage ? shrinkage->keyframes : std::vector<LengthKeyframe>()});
     }
     emit(sim);
+    trace_bodies(sim);
   }
 
   void emit(const Simulation& sim) {
@@ -103,6 +105,13 @@ class Run {
     p.residual = residual;
     p.wall_s = wall();
     hooks_.on_progress(p);
+  }
+
+  void trace_bodies(const Simulation& sim) const {
+    if (!hooks_.on_bodies || sim.model().bodies.empty()) return;
+    std::vector<Vec3> centres;
+    for (const BodyMotion& body : body_motions(sim)) centres.push_back(body.position_m);
+    hooks_.on_bodies(sim.state().t, centres);
   }
 
   void measure(const Simulation& sim, HandleForces& forces) const {
@@ -148,6 +157,7 @@ class Run {
       last_residual_ = report.residual;
       step_ = std::min(largest, 2.0 * step_);
       measure(sim, forces);
+      trace_bodies(sim);
       if (const auto stop = monitor.observe(sim, report.residual)) {
         summary_.message = *stop;
         return RunStatus::failed;

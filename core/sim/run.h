@@ -2,13 +2,14 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/model.h"
+#include "sim/body_motion.h"
 #include "sim/effect_choice.h"
 #include "sim/effect_cost.h"
 #include "sim/frame.h"
@@ -32,6 +33,9 @@ struct RunHooks {
   std::function<void(const Frame&)> on_frame;          // may be empty
   std::function<void(double t, const std::vector<Vec3>&)> on_reactions;  // after every step of a scene with handles, the
                                                                          // force on each [N]; may be empty
+  std::function<void(double t, const std::vector<Vec3>&)> on_bodies;     // at the start and after every step of a scene
+                                                                      // with dynamic colliders, their centres [m]; may
+                                                                      // be empty
   std::function<void(const Progress&)> on_progress;    // after every step; may be empty
   std::function<bool()> should_stop;                   // polled every step and every Newton iteration; may be empty
 };
@@ -63,6 +67,7 @@ struct RunSummary {
   std::optional<long> wrap_ridge_entries;    // wraps that entered the cap around psi = s psi0 +- pi
   std::optional<int> self_collision_start_overlaps;  // SelfCollision::start_overlaps()
   std::vector<HandleForce> handles;          // one a handle of the scene
+  std::vector<BodyMotion> bodies;            // dynamic colliders at the end
   std::optional<long> peak_memory_bytes;
   std::string state_hash;                    // of the final q
   std::string linear_solver, blas, version;

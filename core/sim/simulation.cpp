@@ -5,6 +5,9 @@
 #include <cmath>
 
 #include "force/bending.h"
+#include "force/body_contact.h"
+#include "force/body_friction.h"
+#include "force/body_inertia.h"
 #include "force/collider_contact.h"
 #include "force/collider_friction.h"
 #include "force/inertia.h"
@@ -45,6 +48,7 @@ State start_state(const Model& model, const YarnForces& forces) {
   state.q = model.start_q;
   state.v = model.start_v;
   state.p = term_of<Inertia>(forces).momentum(state.q, state.v);
+  term_of<BodyInertia>(forces).put_momentum(state.v, state.p);
   state.anchor = state.q.tail(model.topology.num_visits());
   if (model.effects.plasticity) state.set_angle = VecX::Zero(model.topology.num_visits());
   return state;
@@ -112,10 +116,12 @@ void Simulation::accept(double h, const VecX& q) {
   term_of<Bending>(forces_).creep(h, q, state_.set_angle);
   const auto& friction = term_of<SlidingFriction>(forces_);
   state_.p = term_of<Inertia>(forces_).momentum(state_.q, v);
+  term_of<BodyInertia>(forces_).put_momentum(v, state_.p);
+  state_.touches = term_of<ColliderFriction>(forces_).touches_at(term_of<ColliderContact>(forces_), q);
+  state_.body_touches = term_of<BodyFriction>(forces_).touches_at(term_of<BodyContact>(forces_), q);
   state_.v = v;
   state_.q = q;
   state_.t += h;
-  state_.touches = term_of<ColliderFriction>(forces_).touches_at(term_of<ColliderContact>(forces_), q);
   if (friction.size() > 0) {
     friction.drag_anchors(q, state_.anchor);
   } else {
@@ -135,7 +141,8 @@ std::map<std::string, double> Simulation::energies() {
     (report(term, assembly_.energies()[i++]), ...);
   }, forces_);
   if (const auto& inertia = term_of<Inertia>(forces_); inertia.size() > 0)
-    result["kinetic"] = inertia.kinetic_energy(state_.q, state_.v);
+    result["kinetic"] =
+        inertia.kinetic_energy(state_.q, state_.v) + term_of<BodyInertia>(forces_).kinetic_energy(state_.v);
   return result;
 }
 

@@ -34,7 +34,7 @@ class DifferenceSum {
 double stored_energy(const RunSummary& summary) {
   double sum = 0.0;
   for (const auto& [term, energy] : summary.energy_j)
-    if (term != "kinetic" && term != "gravity" && term != "dead_load") sum += energy;
+    if (term != "kinetic" && !is_weight_or_load(term)) sum += energy;
   return sum;
 }
 
@@ -49,6 +49,10 @@ void derive_forces(const Scene& scene, MeasuredRun& run) {
 }
 
 }  // namespace
+
+bool is_weight_or_load(std::string_view term) {
+  return term == "gravity" || term == "body_gravity" || term == "dead_load";
+}
 
 MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options) {
   MeasuredRun measured;

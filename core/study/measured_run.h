@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/run.h"
@@ -38,6 +39,9 @@ struct MeasureOptions {
   std::function<void(double share)> on_progress;  // of the run done, 0 to 1; may be empty
   std::function<bool()> should_stop;              // may be empty
 };
+
+/// Whether a term of RunSummary::energy_j is the potential of weight or loads, and not stored in yarn or contacts.
+bool is_weight_or_load(std::string_view term);
 
 /// Runs a checked scene whose effects are chosen.
 MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options);

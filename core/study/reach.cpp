@@ -8,6 +8,7 @@
 #include <queue>
 
 #include "collide/rigid_body.h"
+#include "study/measured_run.h"
 
 namespace slipstitch {
 namespace {
@@ -132,6 +133,7 @@ std::string work_not_known(const Model& model) {
   if (!on.stretch) return "there is no stretch";
   if (on.shrinkage) return "shrinkage does work";
   if (on.wind) return "wind does work";
+  if (model.topology.num_bodies > 0) return "dynamic spheres do work";
   for (const ScriptedNodes& script : model.handles)
     if (!script.motion.empty() || !script.velocity_m_per_s.isZero(0.0)) return "moving handles do work";
   return {};
@@ -140,7 +142,7 @@ std::string work_not_known(const Model& model) {
 double start_energy(Simulation& sim) {
   double sum = 0.0;
   for (const auto& [term, energy] : sim.energies())
-    if (term != "gravity" && term != "dead_load") sum += std::max(0.0, energy);
+    if (!is_weight_or_load(term)) sum += std::max(0.0, energy);
   return sum;
 }
 
@@ -150,6 +152,7 @@ Vec3 gravity_of(const Model& model) {
 
 ReachPart held_part(const Model& model, const YarnGraph& graph, const PartFacts& facts, double energy) {
   ReachPart part;
+  part.held = true;
   double start_m = 0.0;
   for (const int node : facts.held) part.anchors.push_back(model.start_q.segment<3>(3 * node));
   for (const int node : facts.nodes)
@@ -227,13 +230,22 @@ bool stays_out_of_reach(const Reach& reach, const Collider& collider, const RunS
 }
 
 std::vector<int> colliders_out_of_reach(Simulation& sim, const RunSpan& span) {
-  std::vector<int> indices;
-  if (!sim.model().effects.colliders) return indices;
+  if (!sim.model().effects.colliders) return {};
   const Reach reach = bound_reach(sim);
   const std::vector<Collider>& colliders = sim.model().effects.colliders->colliders;
-  for (std::size_t i = 0; i < colliders.size(); ++i)
-    if (stays_out_of_reach(reach, colliders[i], span)) indices.push_back(static_cast<int>(i));
-  return indices;
+  std::vector<int> outside;
+  bool is_pushed = false;  // by one that may be reached
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    if (stays_out_of_reach(reach, colliders[i], span)) {
+      outside.push_back(static_cast<int>(i));
+    } else {
+      is_pushed = is_pushed || !colliders[i].motion.empty();
+    }
+  }
+  const bool falls =
+      std::any_of(reach.parts.begin(), reach.parts.end(), [](const ReachPart& part) { return !part.held; });
+  if (outside.size() < colliders.size() && (falls || is_pushed)) return {};
+  return outside;
 }
 
 }  // namespace slipstitch

@@ -11,6 +11,7 @@ namespace slipstitch {
 /// Where a connected piece of fabric can be: within `radius` of one of the anchors, which move as one.
 struct ReachPart {
   std::vector<Vec3> anchors;         // [m] at t = 0
+  bool held = false;                 // by handles that stand still; otherwise it falls freely
   Vec3 velocity = Vec3::Zero();      // of the anchors at t = 0 [m/s]
   Vec3 acceleration = Vec3::Zero();  // of the anchors [m/s^2]
   double radius = 0.0;               // [m], the yarn's own included
@@ -26,8 +27,8 @@ struct Reach {
 /// of rest length S that is strained to r holds EA (r - S)^2/(2 S) at least, and implicit Euler never adds energy. A
 /// part that is held stays within a path of its held nodes; one that is free stays within a path of its centre of mass,
 /// which falls freely. Where yarn slides a path can take in all yarn of its part, so the bound is wide.
-/// There is none where something does work that cannot be told before: moving handles, wind, air on a free part,
-/// loads on a free part, shrinkage; nor without inertia or stretch.
+/// There is none where something does work that cannot be told before: moving handles, wind, dynamic spheres, air
+/// on a free part, loads on a free part, shrinkage; nor without inertia or stretch.
 Reach bound_reach(Simulation& sim);
 
 struct RunSpan {
@@ -36,11 +37,11 @@ struct RunSpan {
 
 RunSpan span_of(const Scene& scene);
 
-/// Whether a body stays outside of the reach for the whole duration; false where that cannot be shown. Bodies that the
-/// yarn can push are never outside.
+/// Whether a body stays outside of the reach for the whole duration; false where that cannot be shown.
 bool stays_out_of_reach(const Reach& reach, const Collider& collider, const RunSpan& span);
 
-/// Indices of the colliders of the model for which it can be shown.
+/// Indices of the colliders of the model that are never reached. None where another may be reached that moves, or that
+/// a free part bounces off, as the reach holds up to that touch only.
 std::vector<int> colliders_out_of_reach(Simulation& sim, const RunSpan& span);
 
 }  // namespace slipstitch

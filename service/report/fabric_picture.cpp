@@ -93,14 +93,23 @@ std::string pill(const View& view, const Vec3& a, const Vec3& b, double r, bool 
   return line + coordinate(2.0 * r) + (known ? "\" stroke=\"#c9b8a3\"/>\n" : "\" stroke=\"#eee\"/>\n");
 }
 
+/// Where the centre of a sphere is in a set's last frame, which holds those that are dynamic.
+Vec3 centre_in(const GrowingSet& set, const RigidBody& body, const Sphere& sphere, int dynamic) {
+  const Topology& topology = set.header.topology;
+  if (dynamic < 0 || dynamic >= topology.num_bodies) return body.to_space(sphere.centre);
+  return set.last.q.segment<3>(topology.x_coord(topology.num_nodes - topology.num_bodies + dynamic));
+}
+
 /// Spheres and capsules; planes, boxes and meshes are left out.
-void add_bodies(const PictureBodies& bodies, const View& view, bool known, std::vector<Piece>& pieces) {
+void add_bodies(const GrowingSet& set, const PictureBodies& bodies, const View& view, bool known,
+                std::vector<Piece>& pieces) {
   const double behind = -std::numeric_limits<double>::infinity();
+  int num_dynamic = 0;
   for (const Collider& collider : bodies.colliders) {
     RigidBody body(collider);
     body.move_to(bodies.t);
     if (const auto* sphere = std::get_if<Sphere>(&collider.shape)) {
-      const Vec3 centre = seen(body.to_space(sphere->centre));
+      const Vec3 centre = seen(centre_in(set, body, *sphere, collider.dynamic ? num_dynamic++ : -1));
       pieces.push_back(
           {known ? centre.z() : behind, ball(view.x(centre), view.y(centre), sphere->radius * view.scale, known)});
     } else if (const auto* capsule = std::get_if<Capsule>(&collider.shape)) {
@@ -168,7 +177,7 @@ std::string growing_picture(const std::string& scene, const std::vector<GrowingS
     const bool known = std::any_of(
         sets.begin(), sets.begin() + static_cast<std::ptrdiff_t>(i) + 1,
         [](const GrowingSet& s) { return std::find(s.added.begin(), s.added.end(), "colliders") != s.added.end(); });
-    add_bodies(bodies, view, known, pieces);
+    add_bodies(sets[i], bodies, view, known, pieces);
     std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.depth < b.depth; });
     svg.raw("<svg x=\"" + coordinate(view.left) + "\" y=\"" + coordinate(kTop) + "\" width=\"" + coordinate(kPanel) +
             "\" height=\"" + coordinate(kPanel) + "\" viewBox=\"" + coordinate(view.left) + " " + coordinate(kTop) +

@@ -27,6 +27,7 @@ std::string size_flaw(const Topology& topology) {
   const std::size_t visits = topology.visit_node.size();
   const std::int64_t coords = 3 * std::int64_t{topology.num_nodes} + static_cast<std::int64_t>(visits);
   if (topology.num_nodes < 0 || coords > std::numeric_limits<int>::max()) return "number of nodes out of range";
+  if (!in_range(topology.num_bodies, 0, topology.num_nodes + std::int64_t{1})) return "number of bodies out of range";
   if (topology.visit_slides.size() != visits || topology.segment_kind.size() != visits ||
       topology.rest_arc.size() != visits || (!topology.visit_owned.empty() && topology.visit_owned.size() != visits)) {
     return "arrays of visits differ in length";
@@ -43,7 +44,7 @@ std::string yarn_flaw(const Topology& topology) {
   if (first.front() != 0 || first.back() != topology.num_visits() || !std::is_sorted(first.begin(), first.end())) {
     return "yarns do not cover the visits";
   }
-  if (!all_in_range(topology.visit_node, 0, topology.num_nodes)) return "a visit of no node";
+  if (!all_in_range(topology.visit_node, 0, topology.num_yarn_nodes())) return "a visit of no node";
   const auto known = [](SegmentKind kind) { return kind <= SegmentKind::contact; };
   if (!std::all_of(topology.segment_kind.begin(), topology.segment_kind.end(), known)) return "unknown segment kind";
   for (int yarn = 0; yarn < topology.num_yarns(); ++yarn) {
@@ -59,9 +60,9 @@ std::string yarn_flaw(const Topology& topology) {
 
 bool contact_fits(const Topology& topology, const StitchContact& contact) {
   const auto stitches = static_cast<std::int64_t>(topology.stitches.size());
-  return all_in_range(std::initializer_list<int>{contact.q0, contact.q1}, 0, topology.num_nodes) &&
+  return all_in_range(std::initializer_list<int>{contact.q0, contact.q1}, 0, topology.num_yarn_nodes()) &&
          all_in_range(std::initializer_list<int>{contact.q4, contact.q5, contact.q2, contact.q3}, -1,
-                      topology.num_nodes) &&
+                      topology.num_yarn_nodes()) &&
          all_in_range(contact.u_visit, -1, topology.num_visits()) &&
          all_in_range(contact.v_visit, -1, topology.num_visits()) && (contact.sign == 1 || contact.sign == -1) &&
          contact.kind <= StitchKind::purl && contact.side <= ClaspSide::right && in_range(contact.stitch, -1, stitches);
@@ -69,7 +70,7 @@ bool contact_fits(const Topology& topology, const StitchContact& contact) {
 
 bool stitch_fits(const Topology& topology, const Stitch& stitch) {
   const auto contacts = static_cast<std::int64_t>(topology.contacts.size());
-  return stitch.kind <= StitchKind::purl && all_in_range(stitch.node, -1, topology.num_nodes) &&
+  return stitch.kind <= StitchKind::purl && all_in_range(stitch.node, -1, topology.num_yarn_nodes()) &&
          all_in_range(
              std::initializer_list<int>{stitch.base_left, stitch.base_right, stitch.head_left, stitch.head_right}, -1,
              contacts);

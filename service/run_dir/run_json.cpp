@@ -35,6 +35,12 @@ void fields(auto& visit, auto& choice) requires std::is_same_v<std::remove_cvref
   visit("verdicts", choice.verdicts);
 }
 
+void fields(auto& visit, auto& body) requires std::is_same_v<std::remove_cvref_t<decltype(body)>, BodyMotion> {
+  visit("collider", body.collider);
+  visit("position_m", body.position_m);
+  visit("velocity_m_per_s", body.velocity_m_per_s);
+}
+
 void fields(auto& visit, auto& cost) requires std::is_same_v<std::remove_cvref_t<decltype(cost)>, EffectCost> {
   visit("stencils", cost.stencils);
   visit("bytes", cost.bytes);
@@ -71,6 +77,7 @@ class JsonWriter {
     return json;
   }
   static Json as_json(const HandleForce& value) { return as_object(value); }
+  static Json as_json(const BodyMotion& value) { return as_object(value); }
   static Json as_json(const EffectCost& value) { return as_object(value); }
   static Json as_json(const EffectVerdict& value) { return as_object(value); }
   static Json as_json(const EffectChoice& value) { return as_object(value); }
@@ -142,6 +149,7 @@ class JsonReader {
     return from_json(json[0], vector[0]) && from_json(json[1], vector[1]) && from_json(json[2], vector[2]);
   }
   static bool from_json(const nlohmann::json& json, HandleForce& value) { return from_object(json, value); }
+  static bool from_json(const nlohmann::json& json, BodyMotion& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, EffectCost& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, EffectVerdict& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, EffectChoice& value) { return from_object(json, value); }
@@ -229,7 +237,9 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("faded_wrap_share", summary.faded_wrap_share);
   visit("faded_wrap_share_interior", summary.faded_wrap_share_interior);
   visit("wrap_ridge_entries", summary.wrap_ridge_entries);
+  visit("self_collision_start_overlaps", summary.self_collision_start_overlaps);
   visit("handles", summary.handles);
+  visit("bodies", summary.bodies);
   visit("peak_memory_bytes", summary.peak_memory_bytes);
   visit("state_hash", summary.state_hash);
   visit("linear_solver", summary.linear_solver);

@@ -7,7 +7,7 @@
 
 #include "run_dir/control_log.h"
 #include "run_dir/frame_log.h"
-#include "run_dir/reactions_csv.h"
+#include "run_dir/vector_csv.h"
 
 namespace slipstitch {
 namespace {
@@ -45,7 +45,7 @@ struct RunRecorder::State {
   ControlLogReader control;
   Throttle progress_due, control_due;
   std::optional<FrameLogWriter> log;
-  std::optional<ReactionsCsv> reactions;
+  std::optional<VectorCsv> reactions, bodies;
   std::optional<Progress> unwritten;
   bool cancelled = false;
   IoError error;  // the first
@@ -65,14 +65,14 @@ struct RunRecorder::State {
     if (log && error.empty()) note(log->append_frame(frame));
   }
 
-  void record_reactions(double t, const std::vector<Vec3>& forces) {
+  void record(std::optional<VectorCsv>& csv, const VectorTable& table, double t, const std::vector<Vec3>& vectors) {
     if (!error.empty()) return;
-    if (!reactions) {
-      Result<ReactionsCsv> created = ReactionsCsv::create(dir.report() / kReactionsFile);
+    if (!csv) {
+      Result<VectorCsv> created = VectorCsv::create(dir.report(), table);
       if (!created) return note(created.error);
-      reactions.emplace(std::move(*created));
+      csv.emplace(std::move(*created));
     }
-    note(reactions->append(t, forces));
+    note(csv->append(t, vectors));
   }
 
   void record_progress(const Progress& progress) {
@@ -106,7 +106,12 @@ RunHooks RunRecorder::hooks() {
   RunHooks hooks;
   hooks.on_header = [state](const FrameHeader& header) { state->record_header(header); };
   hooks.on_frame = [state](const Frame& frame) { state->record_frame(frame); };
-  hooks.on_reactions = [state](double t, const std::vector<Vec3>& forces) { state->record_reactions(t, forces); };
+  hooks.on_reactions = [state](double t, const std::vector<Vec3>& forces) {
+    state->record(state->reactions, kReactionsTable, t, forces);
+  };
+  hooks.on_bodies = [state](double t, const std::vector<Vec3>& centres) {
+    state->record(state->bodies, kBodiesTable, t, centres);
+  };
   hooks.on_progress = [state](const Progress& progress) { state->record_progress(progress); };
   hooks.should_stop = [state] { return state->should_stop(); };
   return hooks;

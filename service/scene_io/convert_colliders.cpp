@@ -101,6 +101,21 @@ void write_motion(const std::vector<Keyframe>& motion, google::protobuf::Repeate
   }
 }
 
+namespace {
+
+std::optional<DynamicBody> dynamic_from(const v1::Collider& message, const std::string& path, Issues& issues) {
+  if (!message.has_dynamic()) return std::nullopt;
+  return DynamicBody{message.dynamic().mass_kg(), vector_from(message.dynamic().velocity_m_per_s(), Vec3::Zero(),
+                                                              path + ".velocity_m_per_s", issues)};
+}
+
+void write_dynamic(const DynamicBody& body, v1::DynamicBody& message) {
+  message.set_mass_kg(body.mass_kg);
+  add_vector(body.velocity_m_per_s, *message.mutable_velocity_m_per_s());
+}
+
+}  // namespace
+
 CollidersEffect colliders_from(const v1::CollidersEffect& message, Issues& issues) {
   CollidersEffect effect;
   for (int i = 0; i < message.colliders_size(); ++i) {
@@ -110,6 +125,7 @@ CollidersEffect colliders_from(const v1::CollidersEffect& message, Issues& issue
     collider.shape = shape_from(from, path, issues);
     if (from.has_friction_coefficient()) collider.friction = from.friction_coefficient();
     collider.motion = motion_from(from.motion(), path + ".motion", issues);
+    collider.dynamic = dynamic_from(from, path + ".dynamic", issues);
   }
   if (message.has_stiffness_n()) effect.stiffness_n = message.stiffness_n();
   if (message.has_stick_stiffness_n_per_m()) effect.stick_stiffness_n_per_m = message.stick_stiffness_n_per_m();
@@ -122,6 +138,7 @@ void write_colliders(const CollidersEffect& effect, v1::CollidersEffect& message
     std::visit(ShapeWriter{to}, collider.shape);
     to.set_friction_coefficient(collider.friction);
     write_motion(collider.motion, *to.mutable_motion());
+    if (collider.dynamic) write_dynamic(*collider.dynamic, *to.mutable_dynamic());
   }
   if (effect.stiffness_n) message.set_stiffness_n(*effect.stiffness_n);
   message.set_stick_stiffness_n_per_m(effect.stick_stiffness_n_per_m);

@@ -95,6 +95,7 @@ void write_topology(const Topology& topology, v1::Topology& message) {
   for (const Stitch& stitch : topology.stitches) write_stitch(stitch, *message.add_stitches());
   message.set_num_courses(topology.num_courses);
   message.set_num_wales(topology.num_wales);
+  message.set_num_bodies(topology.num_bodies);
 }
 
 void read_visits(const v1::Topology& message, Topology& topology) {
@@ -108,6 +109,7 @@ void read_visits(const v1::Topology& message, Topology& topology) {
   topology.density_scale.assign(message.density_scale().begin(), message.density_scale().end());
   topology.num_courses = message.num_courses();
   topology.num_wales = message.num_wales();
+  topology.num_bodies = message.num_bodies();
 }
 
 bool read_segment_kinds(const v1::Topology& message, Topology& topology) {

@@ -66,6 +66,15 @@ TEST(Slope, SlidesAboveItAsCoulombSays) {
   }
 }
 
+TEST(Slope, HasFrictionStencilsOnlyWhereThereIsFriction) {
+  for (double mu : {0.0, 0.3}) {
+    Simulation sim(prepare(yarn_on_slope(0.1, mu)).model);
+    for (int k = 0; k < 20; ++k) ASSERT_TRUE(sim.step(1.0 / 240.0, {}, {}).accepted) << k;
+    EXPECT_GT(sim.effect_costs().at("colliders").stencils, 0);
+    EXPECT_EQ(sim.effect_costs().contains("collider_friction"), mu > 0.0);
+  }
+}
+
 /// How far a swatch goes down a plane that is tilted by `angle` between 0.15 s, when it has settled, and 0.25 s [m].
 /// Without wrapping it stays flat; one that curls gets up on its edges and topples.
 double way_of_swatch(double angle, double friction) {

@@ -117,6 +117,18 @@ TEST(SummaryText, ShowsTheForcesOfAFewHandles) {
   EXPECT_EQ(lines_with_handles(), 0);
 }
 
+TEST(SummaryText, ShowsWhereBodiesEnd) {
+  nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}, {"bodies", nlohmann::ordered_json::array()}};
+  for (int i = 0; i < 5; ++i)
+    json["bodies"].push_back(
+        {{"collider", i}, {"position_m", {0.1, -0.25, 0.0}}, {"velocity_m_per_s", {3.0, 0.0, 4.0}}});
+  for (const char* part : {"body 2", "ends at 0.1, -0.25, 0 m with 5 m/s", "2 more bodies in the JSON summary"})
+    EXPECT_NE(summary_text(json).find(part), std::string::npos) << summary_text(json);
+  EXPECT_EQ(summary_text(json).find("body 3"), std::string::npos);
+  json["bodies"] = {{{"position_m", {nullptr, nullptr, nullptr}}, {"velocity_m_per_s", {1.0, 0.0, 0.0}}}};
+  EXPECT_EQ(summary_text(json), "x: succeeded\n");
+}
+
 TEST(SummaryText, TakesASummaryWithNothingMeasured) {
   EXPECT_EQ(summary_text({{"status", "failed"}, {"scene", "x"}, {"wall_s", nullptr}, {"effects", nullptr}}),
             "x: failed\n");

@@ -46,6 +46,15 @@ TEST(Pools, LeaveOutTheDiagonalThatLacksAnOuterNode) {
   EXPECT_EQ(wrapping.contact(1), 1);
 }
 
+TEST(Pools, OfTouchesShareTheBodiesAndThePointsThatTouchThem) {
+  const YarnForces forces = make_forces(everything_on());
+  const SharedTouchParts& parts = std::get<ColliderContact>(forces).parts();
+  EXPECT_EQ(parts->bodies.size(), 3u);
+  EXPECT_EQ(std::get<ColliderFriction>(forces).parts(), parts);
+  EXPECT_EQ(std::get<BodyContact>(forces).parts(), parts);
+  EXPECT_EQ(std::get<BodyFriction>(forces).parts(), parts);
+}
+
 TEST(Pools, WrapBothDiagonalsWithTheSignOfTheStitch) {
   const Model model = everything_on();
   const Wrapping wrapping(model);

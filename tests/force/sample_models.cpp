@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sample_models.h"
 
-#include "force/touch_samples.h"
-
 #include <cmath>
+
+#include "force/touch_parts.h"
+#include "model/bodies.h"
 
 namespace slipstitch::testing {
 namespace {
@@ -74,7 +75,13 @@ Effects all_effects() {
   e.colliders.emplace().colliders = {
       {Plane{{0.0, -0.4 * kMm - 0.97 * radius, 0.0}, Vec3::UnitY()}, 0.3, {}},
       {Sphere{Vec3(2.9 * kMm, 1.3 * kMm, 1.5 * kMm) + (kMm + 0.95 * radius) * Vec3(2.0, 1.0, 2.0) / 3.0, kMm}, 0.5, {}},
-      {Box{Vec3(-0.7, 1.1, 0.4) * kMm + (kMm + 0.98 * radius) * Vec3::UnitZ(), Vec3::Constant(kMm), Vec3::Zero()}, 0.0, {}}};
+      {Box{Vec3(-0.7, 1.1, 0.4) * kMm + (kMm + 0.98 * radius) * Vec3::UnitZ(), Vec3::Constant(kMm), Vec3::Zero()},
+       0.0,
+       {}},
+      {Sphere{Vec3(-0.5, -0.4, -1.2) * kMm + (2.0 * kMm + 0.97 * radius) * Vec3(-2.0, 1.0, -2.0) / 3.0, 2.0 * kMm},
+       0.4,
+       {},
+       DynamicBody{1e-4}}};
   e.air_drag = AirDragEffect{.linear_ns_per_m2 = 1e-4, .quadratic_ns2_per_m3 = 2e-3};
   e.wind = WindEffect{.velocity_m_per_s = {1.0, -0.5, 2.0}};
   e.shrinkage.emplace().keyframes = {{0.0, 0.9}};
@@ -93,6 +100,7 @@ Model clasped_yarns(const Effects& effects) {
   model.start_q.resize(model.topology.num_coords());
   model.start_q << x, Eigen::Map<const VecX>(model.topology.rest_arc.data(), model.topology.num_visits());
   model.start_v = VecX::Zero(model.topology.num_coords());
+  append_bodies(model);
   return model;
 }
 
@@ -112,11 +120,17 @@ State state_at(const Model& model, const VecX& q, std::mt19937_64& random) {
   state.v = VecX::NullaryExpr(q.size(), [&] { return 0.05 * normal(random); });
   state.p = VecX::NullaryExpr(q.size(), [&] { return 1e-8 * normal(random); });
   state.anchor = q.tail(model.topology.num_visits());
-  if (model.effects.colliders) {
-    const auto samples = touch_samples(model);
-    for (int i = 0; i < static_cast<int>(samples.size()); ++i) {  // some stick, some have slipped
-      const Vec3 anchor = place_of(samples[static_cast<std::size_t>(i)], q) + 0.02 * kMm * Vec3(normal(random), normal(random), normal(random));
-      state.touches.push_back({i, i % 3, anchor, 1e-2});
+  if (model.effects.colliders) {  // some stick, some have slipped; on the sphere by far, so that no pose is at the kink
+    const auto anchor = [&](const TouchSample& sample) {
+      return Vec3(place_of(sample, q) + 0.02 * kMm * Vec3(normal(random), normal(random), normal(random)));
+    };
+    const auto parts = touch_parts(model);
+    for (int i = 0; i < static_cast<int>(parts->samples.size()); ++i)
+      state.touches.push_back({i, i % 3, anchor(parts->samples[static_cast<std::size_t>(i)]), 1e-2});
+    for (int i = 0; i < static_cast<int>(parts->all_samples.size()); ++i) {
+      const Vec3 centre = q.segment<3>(3 * model.bodies[0].node);
+      state.body_touches.push_back(
+          {i, 0, anchor(parts->all_samples[static_cast<std::size_t>(i)]) - centre, i % 2 == 0 ? 1.0 : 1e-4});
     }
   }
   std::uniform_real_distribution<double> angle(0.0, 1.5);

@@ -14,6 +14,7 @@ Effects all_effects();
 
 /// Two yarns of millimetre size, clasped twice, every segment at rest near its drawn length. Yarn A visits nodes
 /// 0 1 2 3 4 5, yarn B 6 1 2 4 3 7; contact 0 is (1, 2), contact 1 is (3, 4), where B runs against the labels.
+/// With colliders a dynamic sphere lies on node 6; its centre is node 8.
 Model clasped_yarns(const Effects& effects);
 
 /// The clasped yarns with every effect and a dead load, and with none.

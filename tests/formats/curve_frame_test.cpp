@@ -22,8 +22,8 @@ TEST(CurveFrame, HoldsOnePointAVisitInYarnOrder) {
   const std::vector<int> nodes{0, 1, 2, 3, 4, 2, 1};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     EXPECT_EQ(curves.points[i], Vec3(frame.q.segment<3>(3 * nodes[i])));
-    EXPECT_EQ(curves.arc_length_m[i], frame.q[15 + static_cast<int>(i)]);
-    EXPECT_EQ(curves.slid_m[i], frame.q[15 + static_cast<int>(i)] - start.q[15 + static_cast<int>(i)]);
+    EXPECT_EQ(curves.arc_length_m[i], frame.q[18 + static_cast<int>(i)]);
+    EXPECT_EQ(curves.slid_m[i], frame.q[18 + static_cast<int>(i)] - start.q[18 + static_cast<int>(i)]);
   }
 }
 

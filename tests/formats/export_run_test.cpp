@@ -55,7 +55,7 @@ TEST(ExportRun, SlidingIsCountedFromFrameZeroWhateverComesFirst) {
   const auto file = parse_vtp(read_bytes(folder / "out/frame_000002.vtp"));
   ASSERT_TRUE(file);
   const Frame start = sample_frame(sample_header(), 0), frame = sample_frame(sample_header(), 2);
-  EXPECT_EQ(file->point_data.at("slid_m")[1], frame.q[16] - start.q[16]);
+  EXPECT_EQ(file->point_data.at("slid_m")[1], frame.q[19] - start.q[19]);
   const auto listed = parse_pvd(read_bytes(folder / "out/frames.pvd"));
   ASSERT_TRUE(listed);
   ASSERT_EQ(listed->size(), 1u);
@@ -103,7 +103,7 @@ TEST(ExportRun, ABrokenFrameEndsTheExportBehindTheGoodOnes) {
   const TemporaryFolder folder;
   const RunDir dir = recorded_run(folder, 4, true);
   std::string bytes = read_bytes(dir.frames());
-  char& in_frame_2 = bytes[bytes.size() - 40 - 216 - 10];
+  char& in_frame_2 = bytes[bytes.size() - 40 - 240 - 10];
   in_frame_2 = static_cast<char>(in_frame_2 ^ 1);
   write_bytes(dir.frames(), bytes);
   const Result<ExportReport> report = export_run(dir, folder / "out", *find_format("vtp"), {});

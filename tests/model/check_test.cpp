@@ -48,7 +48,8 @@ Scene good_scene() {
                                       {Sphere{Vec3::Zero(), 0.1}, 0.0, {}},
                                       {Capsule{Vec3::Zero(), Vec3::UnitX(), 0.1}, 0.3, {}},
                                       {Box{Vec3::Zero(), Vec3::Ones(), Vec3::Zero()}, 0.3, {}},
-                                      {test::box_mesh(Vec3::Zero(), Vec3::Ones()), 0.3, {}}};
+                                      {test::box_mesh(Vec3::Zero(), Vec3::Ones()), 0.3, {}},
+                                      {Sphere{Vec3::Ones(), 0.1}, 0.3, {}, DynamicBody{0.01, Vec3::UnitX()}}};
   scene.handles = {{Corner::top_left, {{0.0, {}, {}}, {1.0, {0, 1, 0}, {}}}, false}, {YarnPoint{2, -1}, {}, false}};
   for (Keyframe& key : scene.handles[0].motion) key.rotation_rad = key.translation_m = Vec3::Zero();
   scene.loads = {{StitchRange{1, 3, 1, 4}, {0, -1, 0}}};
@@ -60,6 +61,8 @@ template <class S>
 S& body(Scene& scene, std::size_t i) {
   return std::get<S>(scene.effects.colliders->colliders[i].shape);
 }
+
+DynamicBody& dynamic(Scene& scene) { return *scene.effects.colliders->colliders[5].dynamic; }
 
 struct Bad {
   std::string path;  // of the one issue
@@ -184,23 +187,45 @@ const std::vector<Bad>& bad_scenes() {
       {"effects.self_collision.stiffness_n", [](Scene& s) { s.effects.self_collision->stiffness_n = 0.0; }},
       {"effects.colliders.colliders", [](Scene& s) { s.effects.colliders->colliders.clear(); }},
       {"effects.colliders.stiffness_n", [](Scene& s) { s.effects.colliders->stiffness_n = -1.0; }},
-      {"effects.colliders.stick_stiffness_n_per_m", [](Scene& s) { s.effects.colliders->stick_stiffness_n_per_m = kInf; }},
+      {"effects.colliders.stick_stiffness_n_per_m",
+       [](Scene& s) { s.effects.colliders->stick_stiffness_n_per_m = kInf; }},
       {"effects.colliders.colliders[0].plane.normal", [](Scene& s) { body<Plane>(s, 0).normal.setZero(); }},
-      {"effects.colliders.colliders[0].friction_coefficient", [](Scene& s) { s.effects.colliders->colliders[0].friction = -0.1; }},
-      {"effects.colliders.colliders[0].motion[1].t", [](Scene& s) { s.effects.colliders->colliders[0].motion[1].t = 0.0; }},
+      {"effects.colliders.colliders[0].friction_coefficient",
+       [](Scene& s) { s.effects.colliders->colliders[0].friction = -0.1; }},
+      {"effects.colliders.colliders[0].motion[1].t",
+       [](Scene& s) { s.effects.colliders->colliders[0].motion[1].t = 0.0; }},
       {"effects.colliders.colliders[1].sphere.radius_m", [](Scene& s) { body<Sphere>(s, 1).radius = kNan; }},
       {"effects.colliders.colliders[2].capsule.b_m", [](Scene& s) { body<Capsule>(s, 2).b.setZero(); }},
       {"effects.colliders.colliders[2].capsule.radius_m", [](Scene& s) { body<Capsule>(s, 2).radius = 0.0; }},
       {"effects.colliders.colliders[3].box.half_size_m", [](Scene& s) { body<Box>(s, 3).half_size.z() = 0.0; }},
-      {"effects.colliders.colliders[4].mesh.triangles", [](Scene& s) { body<TriangleMesh>(s, 4).triangles.pop_back(); }},
-      {"effects.colliders.colliders[4].mesh.triangles[2]", [](Scene& s) { body<TriangleMesh>(s, 4).triangles[0][2] = 8; }},
+      {"effects.colliders.colliders[4].mesh.triangles",
+       [](Scene& s) { body<TriangleMesh>(s, 4).triangles.pop_back(); }},
+      {"effects.colliders.colliders[4].mesh.triangles[2]",
+       [](Scene& s) { body<TriangleMesh>(s, 4).triangles[0][2] = 8; }},
       {"effects.colliders.colliders[4].mesh.triangles",
        [](Scene& s) {
          for (auto& triangle : body<TriangleMesh>(s, 4).triangles) std::swap(triangle[0], triangle[1]);  // inside out
        }},
+      {"effects.colliders.colliders[5].dynamic.mass_kg", [](Scene& s) { dynamic(s).mass_kg = 0.0; }},
+      {"effects.colliders.colliders[5].dynamic.mass_kg", [](Scene& s) { dynamic(s).mass_kg = kInf; }},
+      {"effects.colliders.colliders[5].dynamic.velocity_m_per_s[1]",
+       [](Scene& s) { dynamic(s).velocity_m_per_s.y() = kNan; }},
+      {"effects.colliders.colliders[5].dynamic", [](Scene& s) { s.effects.colliders->colliders[5].motion = {{1.0}}; }},
+      {"effects.colliders.colliders[2].dynamic",
+       [](Scene& s) { s.effects.colliders->colliders[2].dynamic = DynamicBody{0.01}; }},
+      {"effects.colliders.colliders[5].dynamic",
+       [](Scene& s) {
+         s.effects.air_drag.reset();
+         s.effects.wind.reset();
+         s.effects.inertia.reset();
+       }},
       {"effects.air_drag.linear_ns_per_m2", [](Scene& s) { s.effects.air_drag->linear_ns_per_m2 = -1.0; }},
       {"effects.air_drag.quadratic_ns2_per_m3", [](Scene& s) { s.effects.air_drag->quadratic_ns2_per_m3 = kNan; }},
-      {"effects.air_drag", [](Scene& s) { s.effects.inertia.reset(); }},
+      {"effects.air_drag",
+       [](Scene& s) {
+         s.effects.colliders.reset();
+         s.effects.inertia.reset();
+       }},
       {"effects.wind", [](Scene& s) { s.effects.air_drag.reset(); }},
       {"effects.wind.velocity_m_per_s[0]", [](Scene& s) { s.effects.wind->velocity_m_per_s.x() = kInf; }},
       {"effects.wind.gust_velocity_m_per_s[2]", [](Scene& s) { s.effects.wind->gust_velocity_m_per_s.z() = kNan; }},

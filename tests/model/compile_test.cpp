@@ -50,6 +50,35 @@ TEST(Compile, AGuideHoldsThePlaceAndLetsTheYarnSlide) {
   EXPECT_FALSE(model.handles[0].fix_arc_length);
 }
 
+TEST(Compile, DynamicSpheresAreNodesBehindAllYarnAndNoSelectorMeansThem) {
+  Scene scene = crossing_scene();
+  scene.effects.inertia.emplace();
+  scene.effects.colliders.emplace().colliders = {{Plane{}, 0.3, {}},
+                                                 {Sphere{{0, 0, 1}, 0.1}, 0.2, {}, DynamicBody{0.5, {1, 2, 3}}},
+                                                 {Sphere{{0, 0, 2}, 0.3}, 0.1, {}},
+                                                 {Sphere{{0, 0, 3}, 0.4}, 0.0, {}, DynamicBody{0.7}}};
+  scene.loads = {{AllNodes{}, {0, -9, 0}}};
+  scene.initial_velocities = {{AllNodes{}, {0, 1, 0}}};
+  ASSERT_TRUE(check(scene).empty());
+  const Model plain = compile(crossing_scene(), nullptr), model = compile(scene, nullptr);
+  const Topology& t = model.topology;
+  ASSERT_EQ(model.bodies.size(), 2u);
+  EXPECT_EQ(t.num_bodies, 2);
+  EXPECT_EQ(t.num_yarn_nodes(), 9);
+  EXPECT_EQ(model.bodies[1].collider, 3);
+  EXPECT_EQ(model.bodies[1].node, 10);
+  EXPECT_EQ(model.bodies[0].mass_kg, 0.5);
+  EXPECT_EQ(model.bodies[0].radius_m, 0.1);
+  EXPECT_EQ(model.bodies[0].friction, 0.2);
+  EXPECT_EQ(model.start_q.segment<3>(3 * 10), Vec3(0, 0, 3));
+  EXPECT_EQ(model.start_v.segment<3>(3 * 9), Vec3(1, 2, 3));
+  EXPECT_EQ(model.start_v.segment<3>(3 * 8), Vec3(0, 1, 0));
+  EXPECT_EQ(model.start_q.head(27), plain.start_q.head(27));
+  EXPECT_EQ(model.start_q.tail(10), plain.start_q.tail(10));
+  EXPECT_EQ(model.load_nodes.size(), 9u);
+  EXPECT_EQ(select_nodes(AllNodes{}, t), model.load_nodes);
+}
+
 TEST(Compile, BareYarnsKeepGivenArcLengthsAndPrestretch) {
   Scene scene;
   scene.yarns = {line({0, 0, 0}, {0.01, 0, 0}, 3), line({0, 1, 0}, {0.01, 0, 0}, 3)};

@@ -77,5 +77,21 @@ TEST(Remarks, KnowWhatOnlyStitchesHave) {
   EXPECT_NE(remarks[2].find("nothing moves the yarn"), std::string::npos);
 }
 
+TEST(Remarks, KnowThatACollidersWayCanMoveYarn) {
+  Scene scene;
+  scene.yarns.resize(1);
+  scene.yarns[0].points = {Vec3::Zero(), Vec3::UnitX()};
+  scene.effects.inertia.emplace();
+  scene.effects.stretch.emplace();
+  Collider& ball = scene.effects.colliders.emplace().colliders.emplace_back();
+  ball.shape = Sphere{Vec3::UnitZ(), 0.1};
+  EXPECT_EQ(remarks_on(scene).size(), 1U);
+  ball.dynamic = DynamicBody{1.0, -Vec3::UnitZ()};
+  EXPECT_TRUE(remarks_on(scene).empty());
+  ball.dynamic.reset();
+  ball.motion = {{1.0, -Vec3::UnitZ(), Vec3::Zero()}};
+  EXPECT_TRUE(remarks_on(scene).empty());
+}
+
 }  // namespace
 }  // namespace slipstitch

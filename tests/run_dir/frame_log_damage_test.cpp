@@ -99,8 +99,8 @@ TEST(FrameLogDamage, RecordsOutOfPlaceAreRefused) {
   const auto file = folder / "frames.log";
   const std::string payload = encode_header(sample_header());
   const std::string header = forge_record(1, 1, 0, payload.size(), payload);
-  const std::string q(176, '\0');
-  const std::string frame = forge_record(2, 2, 0, 176, q);
+  const std::string q(200, '\0');
+  const std::string frame = forge_record(2, 2, 0, 200, q);
   const std::string end = forge_record(3, 0, 1, 0, "");
   EXPECT_EQ(state_of(file, header + frame + end), LogState::ended);
   EXPECT_EQ(state_of(file, frame), LogState::corrupt);
@@ -108,8 +108,8 @@ TEST(FrameLogDamage, RecordsOutOfPlaceAreRefused) {
   EXPECT_EQ(state_of(file, header + frame + frame), LogState::corrupt);
   EXPECT_EQ(state_of(file, header + end), LogState::corrupt);
   EXPECT_EQ(state_of(file, header + frame + end + "x"), LogState::corrupt);
-  EXPECT_EQ(state_of(file, header + forge_record(9, 2, 0, 176, q)), LogState::corrupt);
-  EXPECT_EQ(state_of(file, header + forge_record(2, 9, 0, 176, q)), LogState::corrupt);
+  EXPECT_EQ(state_of(file, header + forge_record(9, 2, 0, 200, q)), LogState::corrupt);
+  EXPECT_EQ(state_of(file, header + forge_record(2, 9, 0, 200, q)), LogState::corrupt);
   EXPECT_EQ(state_of(file, header + forge_record(2, 2, 0, 168, q.substr(8))), LogState::corrupt);
   EXPECT_EQ(state_of(file, header + std::string(100, '\0')), LogState::growing);  // zeros of a lost tail
 }

@@ -38,7 +38,7 @@ TEST(FrameLog, HasTheDocumentedBytes) {
   EXPECT_EQ(frame.substr(0, 8), std::string("SLPR\1\0\2\2", 8));
   EXPECT_EQ(peek<std::int64_t>(frame, 8), 1);
   EXPECT_EQ(peek<double>(frame, 16), 1 / 30.0);
-  EXPECT_EQ(peek<std::uint64_t>(frame, 24), 176u);
+  EXPECT_EQ(peek<std::uint64_t>(frame, 24), 200u);
   EXPECT_EQ(peek<std::uint32_t>(frame, 36), crc32c(frame.substr(0, 32) + frame.substr(40)));
   EXPECT_EQ(peek<double>(frame, 40 + 8 * 3), sample_frame(sample_header(), 1).q[3]);
 }

@@ -18,6 +18,7 @@ TEST(HeaderCodec, KeepsEveryField) {
   const Topology& a = header.topology;
   const Topology& b = decoded->topology;
   EXPECT_EQ(a.num_nodes, b.num_nodes);
+  EXPECT_EQ(a.num_bodies, b.num_bodies);
   EXPECT_EQ(a.yarn_first, b.yarn_first);
   EXPECT_EQ(a.visit_node, b.visit_node);
   EXPECT_EQ(a.visit_slides, b.visit_slides);
@@ -63,6 +64,9 @@ TEST(HeaderCodec, RefusesWhatCannotBeTrusted) {
   const std::vector<std::pair<const char*, Change>> changes{
       {"nodes", [](FrameHeader& h) { h.topology.num_nodes = -1; }},
       {"overflow", [](FrameHeader& h) { h.topology.num_nodes = std::numeric_limits<int>::max(); }},
+      {"bodies", [](FrameHeader& h) { h.topology.num_bodies = -1; }},
+      {"more bodies than nodes", [](FrameHeader& h) { h.topology.num_bodies = 7; }},
+      {"yarn through a body", [](FrameHeader& h) { h.topology.num_bodies = 2; }},
       {"visit", [](FrameHeader& h) { h.topology.visit_node[3] = 5; }},
       {"negative visit", [](FrameHeader& h) { h.topology.visit_node[3] = -1; }},
       {"slides", [](FrameHeader& h) { h.topology.visit_slides.pop_back(); }},

@@ -76,6 +76,6 @@ inline int good_prefix(FrameLogReader& reader) {
   return good;
 }
 
-inline constexpr std::size_t kSampleFrameBytes = 40 + 8 * (3 * 5 + 7);
+inline constexpr std::size_t kSampleFrameBytes = 40 + 8 * (3 * 6 + 7);
 
 }  // namespace slipstitch::test

@@ -44,6 +44,18 @@ TEST(RunRecorder, WritesTheForcesOfHandlesAsAnArtefact) {
             "t_s,handle,fx_n,fy_n,fz_n\n0.25,0,1,-2,0.125\n0.25,1,0,0,0\n0.5,0,0.333333333,0,1e-20\n0.5,1,0,0,0\n");
 }
 
+TEST(RunRecorder, WritesTheWaysOfBodiesAsAnArtefact) {
+  const TemporaryFolder folder;
+  const RunDir dir = make_run(folder);
+  RunRecorder recorder(dir);
+  const RunHooks hooks = recorder.hooks();
+  hooks.on_bodies(0.0, {Vec3(1.0, -2.0, 0.125), Vec3::Zero()});
+  hooks.on_bodies(0.25, {Vec3(1.0 / 3.0, 0.0, 0.0), Vec3::Zero()});
+  EXPECT_EQ(list_artefacts(dir), std::vector<std::string>{"bodies.csv"});
+  EXPECT_EQ(read_bytes(dir.report() / "bodies.csv"),
+            "t_s,body,x_m,y_m,z_m\n0,0,1,-2,0.125\n0,1,0,0,0\n0.25,0,0.333333333,0,0\n0.25,1,0,0,0\n");
+}
+
 TEST(RunRecorder, StopsTheRunWhereTheArtefactCannotBeWritten) {
   const TemporaryFolder folder;
   const RunDir dir = make_run(folder);

@@ -24,6 +24,11 @@ std::string with_rows(const std::string& rows) {
   return R"({"knit": {"chart": {"rows": )" + rows + R"(}, "gauge": {"yarn_per_stitch_m": 0.011}}})";
 }
 
+std::string with_collider(const std::string& collider, const std::string& effects = R"("inertia": {}, )") {
+  std::string text = good_scene();
+  return text.insert(text.find("\"stretch\""), effects + "\"colliders\": {\"colliders\": [\n" + collider + "]}, ");
+}
+
 std::string nested(int depth) { return std::string(static_cast<std::size_t>(depth), '['); }
 
 std::vector<BadInput> bad_inputs() {
@@ -99,6 +104,16 @@ std::vector<BadInput> bad_inputs() {
       {"needs_sliding",
        good_scene(R"(, "name": "x")").replace(good_scene().find("\"stretch\""), 9, "\"sliding_friction\""),
        "effects.sliding_friction", "sliding", 6, 35},
+      {"dynamic_box", with_collider(R"({"box": {"half_size_m": [1, 1, 1]}, "dynamic": {"mass_kg": 1}})"),
+       "effects.colliders.colliders[0].dynamic", "is given for a box, expected none: only a sphere can be dynamic", 7,
+       48},
+      {"dynamic_without_mass", with_collider(R"({"sphere": {"radius_m": 1}, "dynamic": {}})"),
+       "effects.colliders.colliders[0].dynamic.mass_kg", "is 0, expected a finite number > 0", 7, 40},
+      {"dynamic_by_script",
+       with_collider(R"({"sphere": {"radius_m": 1}, "motion": [{"t": 1}], "dynamic": {"mass_kg": 1}})"),
+       "effects.colliders.colliders[0].dynamic", "is given, expected either motion or dynamic, not both", 7, 62},
+      {"dynamic_at_rest", with_collider(R"({"sphere": {"radius_m": 1}, "dynamic": {"mass_kg": 1}})", ""),
+       "effects.colliders.colliders[0].dynamic", "is given, expected effects.inertia listed too", 7, 40},
       {"handle_outside", good_scene(R"(, "handles": [{"where": {"stitches": {"last_course": 3}}}])"),
        "handles[0].where.stitches.last_course", "is 3, expected 1 to 2", 6, 82},
       {"too_many_stitches", R"({"knit": {"preset": {"name": "stockinette", "courses": 30000, "wales": 30000},

@@ -12,6 +12,7 @@ FrameHeader full_header() {
   FrameHeader header;
   Topology& t = header.topology;
   t.num_nodes = 4;
+  t.num_bodies = 3;
   t.yarn_first = {0, 3, 5};
   t.visit_node = {0, 1, 2, 3, 1};
   t.visit_slides = {0, 1, 1, 0, 1};
@@ -40,6 +41,7 @@ TEST(Header, SurvivesTheMessage) {
   EXPECT_EQ(difference(message, message_from_header(*back)), "");
   const Topology before = full_header().topology, &after = back->topology;
   EXPECT_EQ(after.num_nodes, before.num_nodes);
+  EXPECT_EQ(after.num_bodies, 3);
   EXPECT_EQ(after.yarn_first, before.yarn_first);
   EXPECT_EQ(after.visit_node, before.visit_node);
   EXPECT_EQ(after.visit_slides, before.visit_slides);

@@ -15,7 +15,7 @@ inline json yarn_point(int yarn, int point) {
   return {{"where", {{"yarn_point", {{"yarn", yarn}, {"point", point}}}}}};
 }
 
-// The small knit, and two bare yarns: the second hangs over the first and is pulled over it.
+// The small knit, and two bare yarns: the second hangs over the first and is pulled over it. A sphere falls on them.
 inline json sliding_scene() {
   json scene = small_knit();
   scene["duration_s"] = 0.1;
@@ -26,6 +26,9 @@ inline json sliding_scene() {
   scene["handles"].push_back(yarn_point(0, -1));
   scene["loads"].push_back(yarn_point(1, -1));
   scene["loads"][0]["force_n"] = {0, -0.03, 0};
+  scene["effects"]["colliders"]["colliders"] = {
+      {{"sphere", {{"centre_m", {0.01, 0.005, 0.03}}, {"radius_m", 0.005}}},
+       {"dynamic", {{"mass_kg", 1e-4}, {"velocity_m_per_s", {0, -0.1, -0.3}}}}}};
   return scene;
 }
 

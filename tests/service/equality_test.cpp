@@ -122,6 +122,9 @@ TEST_F(Equality, OfASlidingScene) {
   const VecX slid = (run_.frames.back().q - run_.frames.front().q).tail(topology.num_visits()).cwiseAbs();
   EXPECT_GT(slid[topology.yarn_first[1] + 1], 1e-5);                            // over the other yarn
   EXPECT_GT(slid.tail(slid.size() - topology.yarn_first[2]).maxCoeff(), 1e-5);  // in the knit
+  ASSERT_EQ(topology.num_bodies, 1);
+  const int ball = topology.x_coord(topology.num_nodes - 1);
+  EXPECT_GT((run_.frames.back().q - run_.frames.front().q).segment<3>(ball).norm(), 1e-3);
   ASSERT_EQ(differences(run_, paths_), PathDifferences());
   expect_start(scene);
   expect_every_flip_noticed();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "model/model.h"
@@ -55,6 +56,32 @@ TEST(LooseEnds, StartFromWhicheverPlaceIsLower) {
   VecX from_before = before;
   hanging.ends.settle(hanging.forces, from_before, before, 1e-12);
   EXPECT_LT((q - from_before).norm(), 1e-10);
+}
+
+// The end is bent down by 45 degrees; a sphere stands between it and where it was.
+TEST(LooseEnds, DoNotStartFromBehindASphere) {
+  const auto turned = [](double angle, double length) {
+    return Vec3(0.15 + length * std::cos(angle), -length * std::sin(angle), 0.0);
+  };
+  for (const Vec3& aside : {Vec3(0.0, 0.0, 0.0), Vec3(0.0, 0.0, 0.1)}) {
+    Scene scene = hanging_yarn();
+    scene.effects.colliders.emplace().colliders = {
+        {Sphere{turned(kPi / 8.0, 0.04) + aside, 0.012}, 0.3, {}, DynamicBody{1.0}}};
+    Model model = compile(scene, nullptr);
+    YarnForces forces = make_forces(model);
+    LooseEnds ends(model.topology, forces, make_dof_map(model));
+    const State start{
+        0.0, model.start_q, model.start_v, VecX::Zero(model.start_q.size()), model.start_q.tail(5), VecX(), {}};
+    std::apply([&](auto&... term) { (term.begin_step(StepContext{1e-2, start}), ...); }, forces);
+    VecX q = model.start_q;
+    q.segment<3>(12) = turned(kPi / 4.0, 0.05);
+    ends.settle(forces, q, model.start_q, 1e-9);
+    if (aside.isZero()) {
+      EXPECT_LT(q[13], -0.025);
+    } else {
+      EXPECT_GT(q[13], -0.005);
+    }
+  }
 }
 
 TEST(LooseEnds, SayWhenTheyCouldNotBeSolvedFor) {

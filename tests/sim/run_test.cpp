@@ -46,6 +46,37 @@ TEST(Run, FillsTheSummary) {
   EXPECT_FALSE(summary.error_estimate_m.has_value());
 }
 
+TEST(Run, TracesDynamicSpheres) {
+  Scene scene = short_run();
+  scene.effects.colliders.emplace().colliders = {
+      {Plane{Vec3(0.0, -1.0, 0.0), Vec3::UnitY()}, 0.3, {}},
+      {Sphere{Vec3(0.0, 0.5, 0.0), 0.01}, 0.3, {}, DynamicBody{0.1, Vec3(2.0, 0.0, 0.0)}}};
+  std::vector<double> times;
+  std::vector<Vec3> centres;
+  VecX last;
+  RunHooks hooks;
+  hooks.on_header = [](const FrameHeader& header) { EXPECT_EQ(header.topology.num_bodies, 1); };
+  hooks.on_frame = [&](const Frame& frame) { last = frame.q; };
+  hooks.on_bodies = [&](double t, const std::vector<Vec3>& all) {
+    ASSERT_EQ(all.size(), 1U);
+    times.push_back(t);
+    centres.push_back(all[0]);
+  };
+  const RunSummary summary = run(scene, 1, hooks);
+  ASSERT_EQ(summary.status, RunStatus::succeeded) << summary.message;
+  ASSERT_EQ(static_cast<long>(times.size()), summary.steps + 1);
+  EXPECT_EQ(times[0], 0.0);
+  EXPECT_EQ(centres[0], Vec3(0.0, 0.5, 0.0));
+  EXPECT_NEAR(times.back(), 0.1, 1e-12);
+  ASSERT_EQ(summary.bodies.size(), 1U);
+  EXPECT_EQ(summary.bodies[0].collider, 1);
+  EXPECT_EQ(summary.bodies[0].position_m, centres.back());
+  EXPECT_EQ(Vec3(last.segment<3>(3 * 5)), centres.back());
+  EXPECT_NEAR(centres.back().x(), 0.2, 1e-9);
+  EXPECT_NEAR(summary.bodies[0].velocity_m_per_s.x(), 2.0, 1e-9);
+  EXPECT_NEAR(summary.bodies[0].velocity_m_per_s.y(), -9.81 * 0.1, 1e-9);
+}
+
 TEST(Run, TakesAStepWrittenToSixDigitsForTheOneMeant) {
   Scene scene = short_run();
   scene.frames_per_s = 30.0;

@@ -114,6 +114,28 @@ TEST(Reach, TellsBodiesThatStayOutsideFromThoseThatComeNear) {
   EXPECT_TRUE(stays_out_of_reach(reach, ball(-r - 0.9, in_and_out), {0.3, 0.005}));
 }
 
+TEST(Reach, IsOfNoUseBehindABodyThatCanPushTheFabricAway) {
+  Scene scene = hanging_yarn();
+  CollidersEffect& effect = scene.effects.colliders.emplace();
+  const Collider far{Sphere{Vec3(0.0, 5.0, 0.0), 0.01}, 0.3, {}};
+  const Collider near{Sphere{Vec3(0.1, -0.1, 0.0), 0.01}, 0.3, {}};
+  const auto outside = [&] {
+    Simulation sim(prepare(scene).model);
+    return colliders_out_of_reach(sim, {0.5, 0.005});
+  };
+  effect.colliders = {near, far};
+  EXPECT_EQ(outside(), std::vector<int>{1});  // the near one stands still and adds no energy
+  effect.colliders[0].motion = {{0.1, Vec3(0.0, 0.1, 0.0)}};
+  EXPECT_TRUE(outside().empty());
+  effect.colliders = {near, far};
+  scene.handles.clear();
+  EXPECT_TRUE(outside().empty());  // the yarn bounces off the near one
+  effect.colliders = {far};
+  EXPECT_EQ(outside(), std::vector<int>{0});
+  effect.colliders[0].dynamic.emplace().mass_kg = 1.0;
+  EXPECT_TRUE(outside().empty());
+}
+
 TEST(Reach, FollowsAFall) {
   Scene scene = hanging_yarn();
   scene.handles.clear();

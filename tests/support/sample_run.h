@@ -13,11 +13,12 @@
 
 namespace slipstitch::test {
 
-/// Two yarns of 4 and 3 visits that share nodes 1 and 2; every field differs from its default.
+/// Two yarns of 4 and 3 visits that share nodes 1 and 2, and a body; every field differs from its default.
 inline FrameHeader sample_header() {
   FrameHeader header;
   Topology& topology = header.topology;
-  topology.num_nodes = 5;
+  topology.num_nodes = 6;
+  topology.num_bodies = 1;
   topology.yarn_first = {0, 4, 7};
   topology.visit_node = {0, 1, 2, 3, 4, 2, 1};
   topology.visit_slides = {0, 1, 1, 0, 0, 1, 1};

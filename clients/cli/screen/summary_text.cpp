@@ -131,28 +131,44 @@ std::string yarn_line(const Json& json) {
   return joined(parts);
 }
 
+double length(const Json& vector) {
+  double squares = 0.0;
+  for (const Json& component : vector) squares += component.is_number() ? std::pow(component.get<double>(), 2) : 0.0;
+  return std::sqrt(squares);
+}
+
 std::string handle_line(const Json& handle) {
   const auto largest = number(handle, "max_reaction_n"), when = number(handle, "max_reaction_t_s");
   const auto found = handle.find("reaction_n");
   if (!largest || !when || found == handle.end() || !found->is_array()) return {};
-  double squares = 0.0;
-  for (const Json& component : *found) squares += component.is_number() ? std::pow(component.get<double>(), 2) : 0.0;
-  return short_number(std::sqrt(squares)) + " N at the end, " + short_number(*largest) + " N at most (at " +
+  return short_number(length(*found)) + " N at the end, " + short_number(*largest) + " N at most (at " +
          short_number(*when) + " s)";
 }
 
-// Four lines at most.
-void add_handles(const Json& json, Rows& rows) {
+std::string body_line(const Json& body) {
+  const auto place = body.find("position_m"), velocity = body.find("velocity_m_per_s");
+  if (place == body.end() || !place->is_array() || velocity == body.end() || !velocity->is_array()) return {};
+  std::string line;
+  for (const Json& component : *place) {
+    if (!component.is_number()) return {};
+    line += (line.empty() ? "" : ", ") + short_number(component.get<double>());
+  }
+  return "ends at " + line + " m with " + short_number(length(*velocity)) + " m/s";
+}
+
+/// A line for each of a list, four lines at most.
+void add_each(const Json& json, const char* key, const std::string& one, const std::string& many,
+              std::string (*line_of)(const Json&), Rows& rows) {
   constexpr std::size_t kLines = 4;
-  const auto found = json.find("handles");
+  const auto found = json.find(key);
   if (found == json.end() || !found->is_array()) return;
   const std::size_t shown = found->size() <= kLines ? found->size() : kLines - 1;
   for (std::size_t i = 0; i < shown; ++i) {
-    std::string line = (*found)[i].is_object() ? handle_line((*found)[i]) : std::string();
-    if (!line.empty()) rows.emplace_back("handle " + std::to_string(i), std::move(line));
+    std::string line = (*found)[i].is_object() ? line_of((*found)[i]) : std::string();
+    if (!line.empty()) rows.emplace_back(one + " " + std::to_string(i), std::move(line));
   }
   const auto hidden = static_cast<long>(found->size() - shown);
-  if (hidden > 0) rows.emplace_back("", count_of(hidden, "more handle", "more handles") + " in the JSON summary");
+  if (hidden > 0) rows.emplace_back("", count_of(hidden, "more " + one, "more " + many) + " in the JSON summary");
 }
 
 std::string wall_line(const Json& json) {
@@ -195,7 +211,8 @@ std::string summary_text(const Json& json, const Rows& more) {
   add("sliding", sliding_line(json));
   add("wraps", wraps_line(json));
   add("yarn", yarn_line(json));
-  add_handles(json, rows);
+  add_each(json, "handles", "handle", "handles", handle_line, rows);
+  add_each(json, "bodies", "body", "bodies", body_line, rows);
   add("wall time", wall_line(json));
   add("machine", machine_line(json));
   rows.insert(rows.end(), more.begin(), more.end());
