@@ -102,7 +102,7 @@ TEST(Body, RestsInAHammockWhoseHandlesCarryIt) {
   for (int yarn : {0, 1})
     for (int point : {0, 24}) scene.handles.push_back(pin(yarn, point));
   scene.effects.gravity.emplace();
-  scene.effects.damping = DampingEffect{.stretch_ns = 0.5, .bending_nm2s = 1e-7};
+  scene.effects.damping = DampingEffect{.stretch_ns = 0.5, .bending_nm2s = 1e-7, .sliding_ns_per_m = {}};
   Simulation sim(checked_model(scene));
   HandleForces forces(sim, scene.handles.size());
   advance(sim, 600, 1.0 / 240.0, tight(1e-7, 1e-9));
