@@ -8,6 +8,7 @@
 #include "collide/rigid_body.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
+#include "support/energy_budget.h"
 #include "support/knit_scene.h"
 
 namespace slipstitch {
@@ -92,11 +93,16 @@ double way_of_swatch(double angle, double friction) {
     for (int n = 0; n < nodes; ++n) sum += sim.state().q[3 * n];
     return sum / nodes;
   };
+  test::EnergyBudget budget(sim);
   double settled = 0.0;
   for (int step = 0; step < 60; ++step) {
     if (step == 36) settled = place();
     EXPECT_TRUE(sim.step(1.0 / 240.0, {}, {}).accepted) << step;
+    budget.after_step();
   }
+  std::printf("energy %.2e above its bound, %.2e in a step\n", budget.excess(), budget.worst_step());
+  EXPECT_LE(budget.excess(), 1e-9);
+  EXPECT_LE(budget.worst_step(), 1e-9);
   return place() - settled;
 }
 
@@ -147,15 +153,23 @@ void advance(Simulation& sim, double h, const std::function<void()>& visit, int 
 /// Steps for `duration`; no accepted step may leave yarn deeper in the body than a tenth of its radius.
 void expect_never_inside(Simulation& sim, const Collider& collider, double duration) {
   RigidBody body(collider);
+  test::EnergyBudget budget(sim);
   double worst = -1.0;
   const double h = 1.0 / 240.0;
+  double t_last = 0.0;
   for (double t = h; t < duration + 0.5 * h; t += h) {
     advance(sim, h, [&] {
-      body.move_to(sim.state().t);
+      const Vec3 before = motion_at(collider.motion, t_last).translation_m;
+      t_last = sim.state().t;
+      budget.after_step(motion_at(collider.motion, t_last).translation_m - before);
+      body.move_to(t_last);
       worst = std::max(worst, deepest(sim, body));
     });
   }
-  std::printf("deepest overlap %.3f radii\n", worst / sim.model().yarn.radius_m);
+  std::printf("deepest overlap %.3f radii; energy %.2e above its bound, %.2e in a step\n",
+              worst / sim.model().yarn.radius_m, budget.excess(), budget.worst_step());
+  EXPECT_LE(budget.excess(), 1e-9);
+  EXPECT_LE(budget.worst_step(), 1e-9);
   EXPECT_GT(worst, 0.0);
   EXPECT_LE(worst, 0.1 * sim.model().yarn.radius_m);
 }

@@ -11,6 +11,7 @@
 #include "sim/prepare.h"
 #include "sim/run.h"
 #include "sim/simulation.h"
+#include "support/energy_budget.h"
 #include "support/knit_scene.h"
 
 namespace slipstitch {
@@ -52,18 +53,25 @@ double closest_strangers(const Simulation& sim) {
   return least;
 }
 
-/// Runs for `duration` and returns the least distance of strangers after any step.
+constexpr double kExcess = 1e-9;  // of the energy about: implicit Euler only loses some
+
+/// Runs for `duration`, with the energy bounded, and returns the least distance of strangers after any step.
 double closest_ever(const Scene& scene, double duration) {
   EXPECT_TRUE(check(scene).empty());
   Simulation sim(prepare(scene).model);
+  test::EnergyBudget budget(sim);
   double least = 1e3;
   for (double t = 0.0; t < duration - 1e-9; t += 1.0 / 240.0) {
     const StepReport report = sim.step(1.0 / 240.0, {}, {});
     EXPECT_TRUE(report.accepted) << "t = " << t << ": " << to_string(report.newton.status);
     if (!report.accepted) return 0.0;
     least = std::min(least, closest_strangers(sim));
+    budget.after_step();
   }
-  std::printf("strangers never closer than %.3f diameters\n", least);
+  std::printf("strangers never closer than %.3f diameters; energy %.2e above its bound, %.2e in a step\n", least,
+              budget.excess(), budget.worst_step());
+  EXPECT_LE(budget.excess(), kExcess);
+  EXPECT_LE(budget.worst_step(), kExcess);
   return least;
 }
 

@@ -6,6 +6,7 @@
 #include "collide/rigid_body.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
+#include "support/energy_budget.h"
 #include "support/knit_scene.h"
 
 namespace slipstitch {
@@ -52,11 +53,13 @@ TEST(Torso, GoesIntoATubeThatIsTooNarrowForIt) {
   Simulation sim(prepare(scene).model);
   RigidBody body(torso);
   double deepest = 0.0;
+  test::EnergyBudget budget(sim);
   const double h = 1.0 / 240.0;
   for (int step = 1; step <= 60; ++step) {
     const StepReport report = sim.step(h, {}, {});
     ASSERT_TRUE(report.accepted) << "step " << step << ": " << to_string(report.newton.status);
     body.move_to(sim.state().t);
+    budget.after_step(rise / 60.0 * up);
     for (int n = 0; n < sim.model().topology.num_nodes; ++n)
       deepest = std::max(deepest, sim.model().yarn.radius_m - body.distance(sim.state().q.segment<3>(3 * n)).phi);
   }
@@ -67,6 +70,9 @@ TEST(Torso, GoesIntoATubeThatIsTooNarrowForIt) {
   }
   std::printf("deepest %.3f radii; %d of %zu stitches around the cylinder\n", deepest / sim.model().yarn.radius_m,
               around, sim.model().topology.stitches.size());
+  std::printf("energy %.2e above its bound, %.2e in a step\n", budget.excess(), budget.worst_step());
+  EXPECT_LE(budget.excess(), 1e-9);
+  EXPECT_LE(budget.worst_step(), 1e-9);
   EXPECT_LE(deepest, 0.1 * sim.model().yarn.radius_m);
   EXPECT_GT(around, 16);
 }
