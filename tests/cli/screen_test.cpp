@@ -99,6 +99,13 @@ TEST(SummaryText, SaysWhatWasLeftOutAndThatItIsNoGuarantee) {
   EXPECT_EQ(text.find("gravity"), std::string::npos) << text;
 }
 
+TEST(SummaryText, TellsOfYarnThatOverlappedAtTheStart) {
+  nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}, {"self_collision_start_overlaps", 0}};
+  EXPECT_EQ(summary_text(json).find("overlap"), std::string::npos);
+  json["self_collision_start_overlaps"] = 3;
+  EXPECT_NE(summary_text(json).find("3 pairs of segments overlapped at the start"), std::string::npos);
+}
+
 TEST(SummaryText, ShowsTheForcesOfAFewHandles) {
   nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}, {"handles", nlohmann::ordered_json::array()}};
   const auto lines_with_handles = [&] {

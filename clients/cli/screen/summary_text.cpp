@@ -120,6 +120,13 @@ std::string wraps_line(const Json& json) {
   return joined(parts);
 }
 
+std::string overlaps_line(const Json& json) {
+  const auto overlaps = number(json, "self_collision_start_overlaps");
+  if (!overlaps || *overlaps == 0.0) return {};
+  return count_of(whole(overlaps), "pair of segments", "pairs of segments") +
+         " overlapped at the start and kept\ntheir distance there: self_collision does not part them";
+}
+
 std::string yarn_line(const Json& json) {
   std::vector<std::string> parts;
   if (const auto stretch = number(json, "max_stretch")) {
@@ -210,6 +217,7 @@ std::string summary_text(const Json& json, const Rows& more) {
   add("Newton", newton_line(json));
   add("sliding", sliding_line(json));
   add("wraps", wraps_line(json));
+  add("overlaps", overlaps_line(json));
   add("yarn", yarn_line(json));
   add_each(json, "handles", "handle", "handles", handle_line, rows);
   add_each(json, "bodies", "body", "bodies", body_line, rows);
