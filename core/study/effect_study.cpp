@@ -11,7 +11,7 @@
 namespace slipstitch {
 namespace {
 
-constexpr long kEffortFactor = 20, kLeastEffort = 2000;
+constexpr long kEffortFactor = 8, kLeastEffort = 1000;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;

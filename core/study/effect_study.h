@@ -48,7 +48,8 @@ struct StudyOptions {
 
 /// Runs a checked scene with and without every effect that could be in it. Every round runs all variants, two by two
 /// behind a run of the scene itself to which their times are compared, so that a machine that gets slower or faster
-/// on the way moves both. A variant that takes 20 times the iterations of the scene is given up.
+/// on the way moves both. A variant that takes more than eight times the iterations of the scene, and a thousand, is
+/// given up.
 EffectStudy study_effects(const Scene& scene, const StudyOptions& options);
 
 }  // namespace slipstitch

@@ -110,12 +110,23 @@ std::string_view effect_note(std::string_view effect) {
   return {};
 }
 
+std::string_view handles_note() {
+  return "Not an effect but part of a scene: nodes whose place is prescribed, held, moved at a velocity or along "
+         "keyframes, "
+         "and dead loads. You need handles to hold or to stretch fabric; a clamp that pulls is a handle with "
+         "keyframes, and "
+         "the force that it takes is measured at every step (summary and reactions.csv). They cost nothing, as held "
+         "coordinates are no unknowns; measuring costs one gradient of the stencils at the handles a step. Without any "
+         "a "
+         "fabric is free.";
+}
+
 std::string effect_notes_markdown() {
   std::string text = "## The effects\n\n";
   for (const EffectEntry& effect : effect_list()) {
     text += std::string("**") + effect.name + "**. " + std::string(effect_note(effect.name)) + "\n\n";
   }
-  return text;
+  return text + "**handles and loads**. " + std::string(handles_note()) + "\n";
 }
 
 }  // namespace slipstitch

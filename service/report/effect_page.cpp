@@ -58,7 +58,7 @@ std::string notes_html() {
   std::string text = "<dl>\n";
   for (const EffectEntry& effect : effect_list())
     text += "<dt>" + escaped(effect.name) + "</dt><dd>" + escaped(effect_note(effect.name)) + "</dd>\n";
-  return text + "</dl>\n";
+  return text + "<dt>handles and loads</dt><dd>" + escaped(handles_note()) + "</dd>\n</dl>\n";
 }
 
 std::string section(const EffectReport& report) {

@@ -23,6 +23,7 @@ TEST(EffectNotes, SayOfEveryEffectWhatItIsAndWhatIsWrongWithoutIt) {
     texts.insert(note);
   }
   EXPECT_EQ(texts.size(), effect_list().size());
+  EXPECT_NE(effect_notes_markdown().find(handles_note()), std::string::npos);
   EXPECT_TRUE(effect_note("no such effect").empty());
 }
 
