@@ -52,7 +52,7 @@ std::string effect_table(const EffectStudy& study) {
   std::string text = wrapped(study.scene + ":", about_scene(study)) + "\n" +
                      columns_table(study, columns.first(kChanges), "changes by") + "\n" +
                      columns_table(study, columns.subspan(kChanges), "costs, with / without") + "\n" +
-                     "  R: yarn radius; with less without. +: not in the scene, added with defaults.\n";
+                     "  R: yarn radius; with minus without. +: not in the scene, added with defaults.\n";
   for (const EffectPrice& price : study.prices) {
     std::string others;
     for (const std::string& name : price.together) others += (others.empty() ? "" : ", ") + name;
