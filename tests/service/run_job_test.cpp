@@ -32,6 +32,20 @@ TEST(RunJob, WritesWhatItMeasured) {
   EXPECT_TRUE(read->peak_memory_bytes);
 }
 
+TEST(RunJob, ChoosesTheEffectsOfASceneThatLeavesThemToTheProgram) {
+  const test::TemporaryFolder folder;
+  const JobInfo job{"", "", "", 1, "", utc_now(), "fall"};
+  const RunDir dir = *create_run_dir(folder / "run", job, R"({"yarns": [{"points_m": [0, 0, 0, 0.1, 0, 0, 0.2, 0, 0]}],
+    "effects": {"auto": {}}, "duration_s": 0.1})",
+                                     false);
+  const Result<RunSummary> summary = run_job(dir);
+  ASSERT_TRUE(summary) << summary.error;
+  EXPECT_EQ(summary->status, RunStatus::succeeded) << summary->message;
+  ASSERT_TRUE(summary->effect_choice);
+  EXPECT_EQ(summary->effect_choice->verdicts.size(), 13U);  // all that need no parameters, but plasticity
+  ASSERT_TRUE(read_summary(dir)->effect_choice);
+}
+
 TEST(RunJob, StopsWithinOneNewtonIterationOfACancel) {
   const test::TemporaryFolder folder;
   const RunDir dir = stored_catenary(folder);
