@@ -62,12 +62,15 @@ std::optional<std::vector<NamedScene>> load_all(const EffectsOptions& options) {
   return scenes;
 }
 
+IoError make_folders(const std::filesystem::path& folder) {
+  std::error_code failed;
+  const std::filesystem::path pictures = (folder / plot_file({})).parent_path();
+  std::filesystem::create_directories(pictures, failed);
+  return failed ? "cannot make '" + pictures.string() + "': " + failed.message() : "";
+}
+
 IoError write_all(const std::filesystem::path& folder, const std::vector<EffectReport>& reports,
                   const std::string& command) {
-  std::error_code failed;
-  const std::filesystem::path pictures = (folder / plot_file(reports.front())).parent_path();
-  std::filesystem::create_directories(pictures, failed);
-  if (failed) return "cannot make '" + pictures.string() + "': " + failed.message();
   std::vector<std::pair<std::string, std::string>> files{{"effects.csv", effect_csv(reports)},
                                                          {"effects.md", effect_markdown(reports, command)},
                                                          {"effects.html", effect_page(reports, command)}};
@@ -105,7 +108,7 @@ class EffectsRun {
     }
     if (options_.json) std::cout << json().dump(2) << std::endl;
     if (interrupt_.requested()) return kExitInterrupted;
-    if (!reports_.empty()) note("Tables, plots and one page of all are in '" + options_.out + "'.");
+    if (written_) note("Tables, plots and one page of all are in '" + options_.out + "'.");
     return code;
   }
 
@@ -125,7 +128,8 @@ class EffectsRun {
     std::string picture = draw(named.scene);
     reports_.push_back({std::move(study), named.stem, std::move(picture)});
     const IoError error = write_all(options_.out, reports_, command_line(options_));
-    if (!error.empty()) complain(error);
+    written_ = error.empty();
+    if (!written_) complain(error);
     return error.empty() ? kExitDone : kExitFailed;
   }
 
@@ -150,11 +154,16 @@ class EffectsRun {
   Interrupt interrupt_;
   StudyOptions study_options_;
   std::vector<EffectReport> reports_;
+  bool written_ = false;
 };
 
 int effects(const EffectsOptions& options) {
   const auto scenes = load_all(options);
   if (!scenes || refuse_occupied(options.out, options.force)) return kExitBadInput;
+  if (const IoError error = make_folders(options.out); !error.empty()) {
+    complain(error);
+    return kExitFailed;
+  }
   return EffectsRun(options).go(*scenes);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace slipstitch {
 namespace {
@@ -96,6 +97,10 @@ Wrapping::Wrapping(const Model& model, WrapFadeForm form)
       contact_.push_back(static_cast<int>(i));
     }
   }
+}
+
+double Wrapping::least_energy() const {
+  return std::min(0.0, offset_) * std::accumulate(stiffness_.begin(), stiffness_.end(), 0.0);
 }
 
 }  // namespace slipstitch

@@ -55,6 +55,9 @@ class Wrapping {
   }
   void begin_step(const StepContext&) {}
 
+  /// Below which the sum of all energies cannot fall [J]: every wrap at rest, S = 1 and E = 0.
+  double least_energy() const;
+
   int contact(int k) const { return contact_[static_cast<std::size_t>(k)]; }           // index of its stitch contact
   double rest_angle(int k) const { return rest_angle_[static_cast<std::size_t>(k)]; }  // s psi0 [rad]
 

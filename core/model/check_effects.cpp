@@ -100,7 +100,7 @@ void check_effects(const Effects& effects, Checker& check) {
   if (effects.self_collision && effects.self_collision->stiffness_n) {
     check.positive("effects.self_collision.stiffness_n", *effects.self_collision->stiffness_n);
   }
-  if (effects.colliders) check_colliders(*effects.colliders, effects.inertia.has_value(), check);
+  if (effects.colliders) check_colliders(*effects.colliders, effects.inertia || effects.automatic, check);
   if (effects.air_drag) check_air_drag(*effects.air_drag, check);
   if (effects.wind) check_wind(*effects.wind, check);
   if (effects.shrinkage) check_shrinkage(*effects.shrinkage, check);

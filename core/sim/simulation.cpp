@@ -136,7 +136,9 @@ std::map<std::string, double> Simulation::energies() {
   std::apply([&](const auto&... term) {
     const auto report = [&](const auto& t, double energy) {
       using Term = std::decay_t<decltype(t)>;
-      if (kIsPotential<Term> && t.size() > 0) result[std::string(Term::kName)] = energy;
+      if (!kIsPotential<Term> || t.size() == 0) return;
+      if constexpr (std::is_same_v<Term, Wrapping>) energy -= t.least_energy();
+      result[std::string(Term::kName)] = energy;
     };
     (report(term, assembly_.energies()[i++]), ...);
   }, forces_);

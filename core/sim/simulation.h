@@ -46,7 +46,7 @@ class Simulation {
   /// Of every term that has stencils, up to now.
   EffectCosts effect_costs() const;
 
-  /// Stored energy by potential term, and "kinetic", now [J].
+  /// Stored energy by potential term, and "kinetic", now [J]; of wrapping, that above every wrap at rest.
   std::map<std::string, double> energies();
   /// Force of the held coordinates' supports on the fabric at the last accepted step, full coordinates [N].
   VecX reactions() const;

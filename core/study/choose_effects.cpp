@@ -35,7 +35,10 @@ namespace {
 class Chooser {
  public:
   Chooser(const Scene& scene, int threads, const std::function<bool()>& should_stop)
-      : threads_(threads), should_stop_(should_stop), chosen_{with_candidates(scene), {}, false} {
+      : threads_(threads),
+        should_stop_(should_stop),
+        listed_(scene.effects),
+        chosen_{with_candidates(scene), {}, false} {
     EffectChoice& choice = chosen_.choice;
     const AutoEffects& asked = *scene.effects.automatic;
     choice.tolerance_m = asked.tolerance_m.value_or(scene.yarn.radius_m);
@@ -153,6 +156,10 @@ class Chooser {
         verdict(name, true, "the window does not run: " + all.summary.message);
         continue;
       }
+      if (const std::string why = needed_for(effect); !why.empty()) {
+        verdict(name, true, why);
+        continue;
+      }
       Effects without = effects();
       remove_effect(without, effect);
       const MeasuredRun run = measure_run(window_of(without), options);
@@ -178,8 +185,23 @@ class Chooser {
     }
   }
 
+  /// Why an effect must stay whatever the window shows: for one that the scene lists and that may act later, or because
+  /// the scene would be refused; empty: it need not.
+  std::string needed_for(const EffectEntry& effect) const {
+    Effects without = chosen_.scene.effects;
+    for (const std::string& other : remove_effect(without, effect))
+      for (const char* late : {"bending_jamming", "parallel_contact", "plasticity", "shrinkage"})
+        if (other == late && find_effect(late)->listed(listed_))
+          return other + " is listed, needs it and may act later";
+    Scene scene = chosen_.scene;
+    scene.effects = without;
+    const Issues issues = check(scene);
+    return issues.empty() ? "" : issues[0].path + " needs it";
+  }
+
   int threads_;
   const std::function<bool()>& should_stop_;
+  Effects listed_;  // by the scene
   ChosenScene chosen_;
 };
 

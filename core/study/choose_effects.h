@@ -19,12 +19,13 @@ struct ChosenScene {
 };
 
 /// Settles the effects of a checked scene that has effects.automatic. Candidates are those that it lists, and all
-/// others that mean something without parameters, but plasticity. What cannot matter goes. Stretch stays. What can
-/// switch on late (colliders, self-collision, parallel contact, jamming, plasticity), or by script after the window,
-/// goes only where a bound over the whole run shows that it cannot act. Every other one is left out, one after the
-/// other, the dearest first, in a run of the window: it goes for good if no node is then farther than the tolerance
-/// from where all candidates together put it, at any frame, and if the run becomes no dearer (Newton iterations times
-/// matrix entries, a count, so that the choice is the same on every machine).
+/// others that mean something without parameters, but plasticity. What cannot matter goes. Stretch stays, and what a
+/// listed effect needs that may act late. What can switch on late (colliders, self-collision, parallel contact,
+/// jamming, plasticity), or by script after the window, goes only where a bound over the whole run shows that it cannot
+/// act. Every other one is left out, one after the other, the dearest first, in a run of the window: it goes for good
+/// if no node is then farther than the tolerance from where all candidates together put it, at any frame, and if the
+/// run becomes no dearer (Newton iterations times matrix entries, a count, so that the choice is the same on every
+/// machine).
 ChosenScene choose_effects(const Scene& scene, int threads, const std::function<bool()>& should_stop);
 
 /// run(), after choose_effects() where the scene asks for it; the summary has the choice.

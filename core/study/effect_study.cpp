@@ -11,8 +11,6 @@
 namespace slipstitch {
 namespace {
 
-constexpr long kEffortFactor = 8, kLeastEffort = 1000;
-
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());
@@ -45,6 +43,9 @@ Variant make_variant(const Scene& scene, const EffectEntry& effect) {
     effect.add(variant.scene.effects);
     variant.price.not_compared = why_not_added(scene, effect, variant.scene);
   }
+  const Issues issues = check(variant.scene);
+  if (variant.price.not_compared.empty() && !issues.empty())
+    variant.price.not_compared = issues[0].path + " needs it: the scene is refused without";
   return variant;
 }
 
@@ -127,11 +128,12 @@ class Study {
     wall_s = run.summary.wall_s;
     own_wall_s_.push_back(wall_s);
     if (!first) {
+      study_.itself.memory_bytes = std::min(study_.itself.memory_bytes, run.memory_bytes);
       repeatable_ = repeatable_ && run.summary.state_hash == state_hash_;
       return true;
     }
     state_hash_ = run.summary.state_hash;
-    max_effort_ = kEffortFactor * run.effort + kLeastEffort;
+    max_effort_ = options_.effort_factor * run.effort + options_.least_effort;
     study_.itself = side_of(run);
     study_.loops = run.summary.loops;
     study_.frames = run.summary.frames;
@@ -157,7 +159,10 @@ class Study {
     variant.ratio.push_back(run.summary.wall_s / own_wall);
     price.max_displacement_m = run.difference.max_m;
     price.rms_displacement_m = run.difference.rms_m;
-    (price.listed ? price.without : price.with) = side_of(run);
+    EffectSide& side = price.listed ? price.without : price.with;
+    const double memory = side.steps > 0 ? std::min(side.memory_bytes, run.memory_bytes) : run.memory_bytes;
+    side = side_of(run);
+    side.memory_bytes = memory;
     return true;
   }
 

@@ -42,14 +42,15 @@ struct EffectStudy {
 
 struct StudyOptions {
   int rounds = 3, threads = 1;
+  long effort_factor = 8, least_effort = 1000;  // a variant is given up after factor * the scene's iterations + least
   std::function<void(double share, const std::string& what)> on_progress;  // may be empty
   std::function<bool()> should_stop;                                       // may be empty
 };
 
 /// Runs a checked scene with and without every effect that could be in it. Every round runs all variants, two by two
 /// behind a run of the scene itself to which their times are compared, so that a machine that gets slower or faster
-/// on the way moves both. A variant that takes more than eight times the iterations of the scene, and a thousand, is
-/// given up.
+/// on the way moves both. The memory reported is the least of all rounds: the first runs of a process also take what
+/// stays for all.
 EffectStudy study_effects(const Scene& scene, const StudyOptions& options);
 
 }  // namespace slipstitch

@@ -200,32 +200,50 @@ RunSpan span_of(const Scene& scene) {
   return {scene.duration_s, (fixed != nullptr ? *fixed : FixedNumerics{}).time_step_s};
 }
 
+namespace {
+
+/// Times that split the run into short intervals in each of which every body moves evenly.
+std::vector<double> times_of(const Collider& collider, double duration_s) {
+  constexpr int kTimes = 200;
+  std::vector<double> times;
+  for (int k = 0; k <= kTimes; ++k) times.push_back(duration_s * k / kTimes);
+  for (const Keyframe& key : collider.motion)
+    if (key.t < duration_s) times.push_back(key.t);
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+/// Least distance of the body from a part at time t, less all that it can lose on an even way to time `other`.
+double least_on_way(const ReachPart& part, const Collider& collider, RigidBody& body, double t, double other,
+                    double step_s) {
+  body.move_to(t);
+  const Keyframe here = motion_at(collider.motion, t), there = motion_at(collider.motion, other);
+  const double moved = (there.translation_m - here.translation_m).norm();
+  const double turned = (there.rotation_rad - here.rotation_rad).norm();
+  const double speed = part.velocity.norm() + part.acceleration.norm() * std::max(t, other);
+  double least = kFar;
+  for (const Vec3& anchor : part.anchors) {
+    const Vec3 p = anchor + part.velocity * t + 0.5 * t * t * part.acceleration;
+    const double lever = (p - centre_of(collider.shape) - here.translation_m).norm() + moved;
+    // Implicit Euler falls half a step times the speed too far.
+    const double lost = moved + turned * lever + speed * (std::abs(other - t) + 0.5 * step_s);
+    least = std::min(least, body.distance(p).phi - lost);
+  }
+  return least;
+}
+
+}  // namespace
+
 bool stays_out_of_reach(const Reach& reach, const Collider& collider, const RunSpan& span) {
   if (!reach.no_bound.empty()) return false;
-  constexpr int kTimes = 200;
   RigidBody body(collider);
-  const double dt = span.duration_s / kTimes;
-  for (int k = 0; k <= kTimes; ++k) {
-    const double t = k * dt;
-    body.move_to(t);
-    const Keyframe now = motion_at(collider.motion, t);
-    // Between two times body and part come closer by no more than their ways there.
-    for (const double other : {t - dt, t + dt}) {
-      const Keyframe then = motion_at(collider.motion, std::clamp(other, 0.0, span.duration_s));
-      const double moved = (then.translation_m - now.translation_m).norm();
-      const double turned = (then.rotation_rad - now.rotation_rad).norm();
-      for (const ReachPart& part : reach.parts) {
-        const double speed = part.velocity.norm() + part.acceleration.norm() * (t + dt);
-        for (const Vec3& anchor : part.anchors) {
-          const Vec3 p = anchor + part.velocity * t + 0.5 * t * t * part.acceleration;
-          const double lever = (p - centre_of(collider.shape) - now.translation_m).norm();
-          // Implicit Euler falls half a step times the speed too far.
-          const double slack = moved + turned * lever + speed * (dt + 0.5 * span.step_s);
-          if (body.distance(p).phi < part.radius + slack) return false;
-        }
-      }
+  const std::vector<double> times = times_of(collider, span.duration_s);
+  for (const ReachPart& part : reach.parts)
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+      const double least = std::max(least_on_way(part, collider, body, times[i], times[i + 1], span.step_s),
+                                    least_on_way(part, collider, body, times[i + 1], times[i], span.step_s));
+      if (least < part.radius) return false;
     }
-  }
   return true;
 }
 

@@ -42,6 +42,10 @@ TEST_F(EffectsCommand, PrintsOneJsonObject) {
 TEST_F(EffectsCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(slipstitch({"effects", scene()}).exit_code, 2);
   EXPECT_EQ(slipstitch({"effects", scene(), "--out", out(), "--rounds", "0"}).exit_code, 2);
+  const ProgramEnd nowhere = slipstitch({"effects", scene(), "--out", scene() + "/out"});
+  EXPECT_EQ(nowhere.exit_code, 1);
+  EXPECT_NE(nowhere.err.find("cannot make"), std::string::npos) << nowhere.err;
+  EXPECT_EQ(nowhere.out + nowhere.err.substr(nowhere.err.find('\n') + 1), "");  // at once, and nothing claimed
   const ProgramEnd twice = slipstitch({"effects", scene(), scene(), "--out", out()});
   EXPECT_EQ(twice.exit_code, 2);
   EXPECT_NE(twice.err.find("'swing'"), std::string::npos) << twice.err;

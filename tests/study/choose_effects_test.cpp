@@ -92,6 +92,26 @@ TEST(ChooseEffects, KeepsWhatCanSwitchOnLater) {
   EXPECT_FALSE(choose_effects(scene, 1, {}).scene.effects.plasticity);
 }
 
+TEST(ChooseEffects, KeepsWhatAListedEffectNeedsThatMayActLater) {
+  Scene scene = falling_yarn();
+  scene.effects.plasticity.emplace();
+  const ChosenScene chosen = choose_effects(scene, 1, {});
+  EXPECT_TRUE(chosen.scene.effects.plasticity && chosen.scene.effects.bending);
+  EXPECT_NE(verdict_on(chosen.choice, "bending")->why.find("plasticity is listed"), std::string::npos);
+}
+
+TEST(ChooseEffects, NeverMakesASceneThatWouldBeRefused) {
+  Scene scene = falling_yarn();
+  scene.effects.automatic->tolerance_m = 10.0;
+  Collider ball{Sphere{Vec3(0.1, 1.0, 0.0), 0.01}, 0.3, {}};
+  ball.dynamic.emplace().mass_kg = 0.1;
+  scene.effects.colliders.emplace().colliders = {ball};
+  ASSERT_TRUE(check(scene).empty());  // inertia comes by itself
+  const ChosenScene chosen = choose_effects(scene, 1, {});
+  EXPECT_TRUE(chosen.scene.effects.inertia);
+  EXPECT_TRUE(check(chosen.scene).empty());
+}
+
 TEST(ChooseEffects, TheRunReportsTheChoice) {
   const RunSummary summary = run_scene(falling_yarn(), 1, {});
   EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;

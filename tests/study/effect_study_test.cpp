@@ -99,11 +99,22 @@ TEST(EffectStudy, StopsAndKeepsWholeRounds) {
 }
 
 TEST(EffectStudy, GivesUpAVariantThatTakesTooLong) {
-  Scene scene = hanging_yarn();  // without stretch nothing holds the yarn's length
-  scene.duration_s = 0.3;
+  StudyOptions options = rounds(2);
+  options.effort_factor = 0;
+  options.least_effort = 3;
+  const EffectStudy study = study_effects(falling_yarn(), options);
+  EXPECT_EQ(study.failure, "");
+  EXPECT_NE(price_of(study, "bending").not_compared.find("without it: given up at t = "), std::string::npos)
+      << price_of(study, "bending").not_compared;
+}
+
+TEST(EffectStudy, DoesNotRunASceneThatWouldBeRefused) {
+  Scene scene = falling_yarn();
+  Collider ball{Sphere{Vec3(0.1, 1.0, 0.0), 0.01}, 0.3, {}};
+  ball.dynamic.emplace().mass_kg = 0.1;
+  scene.effects.colliders.emplace().colliders = {ball};
   const EffectStudy study = study_effects(scene, rounds(1));
-  const EffectPrice& stretch = price_of(study, "stretch");
-  EXPECT_TRUE(stretch.not_compared.empty() || stretch.not_compared.starts_with("without it: "));
+  EXPECT_NE(price_of(study, "inertia").not_compared.find("refused"), std::string::npos);
 }
 
 }  // namespace

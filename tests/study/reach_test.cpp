@@ -112,6 +112,8 @@ TEST(Reach, TellsBodiesThatStayOutsideFromThoseThatComeNear) {
   const std::vector<Keyframe> in_and_out{{0.0}, {0.5, Vec3(1.0, 0.0, 0.0)}, {0.52}};
   EXPECT_FALSE(stays_out_of_reach(reach, ball(-r - 0.9, in_and_out), span));
   EXPECT_TRUE(stays_out_of_reach(reach, ball(-r - 0.9, in_and_out), {0.3, 0.005}));
+  const std::vector<Keyframe> flash{{0.5001}, {0.5002, Vec3(1.0, 0.0, 0.0)}, {0.5003}};
+  EXPECT_FALSE(stays_out_of_reach(reach, ball(-r - 0.9, flash), span));
 }
 
 TEST(Reach, IsOfNoUseBehindABodyThatCanPushTheFabricAway) {

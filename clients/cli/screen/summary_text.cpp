@@ -73,8 +73,9 @@ std::string choice_lines(const Json& json) {
     all += "\n";
   }
   const auto window = number(*found, "window_s"), tolerance = number(*found, "tolerance_m");
-  return (all.empty() ? "nothing; " : all) + "as seen in the first " + short_number(window.value_or(0.0)) +
-         " s, to " + metres_text(tolerance.value_or(0.0)) + "; no guarantee for later";
+  return (all.empty() ? "nothing; " : all) + "as seen in the first " + short_number(window.value_or(0.0)) + " s, to " +
+         metres_text(tolerance.value_or(0.0)) + "; no guarantee for later\n(choosing took " +
+         duration_text(number(*found, "wall_s").value_or(0.0)) + ")";
 }
 
 std::string time_line(const Json& json) {
