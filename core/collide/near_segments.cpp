@@ -6,6 +6,7 @@
 
 #include "collide/closest_point.h"
 #include "collide/overlaps.h"
+#include "math/bytes.h"
 
 namespace slipstitch {
 namespace {
@@ -32,6 +33,8 @@ NearSegments::NearSegments(std::vector<std::array<int, 6>> segments, double reac
       boxes_(segments_.size()),
       moved_(segments_.size()) {}
 
+long NearSegments::bytes() const { return bytes_of(segments_, place_, boxes_, moved_, pairs_); }
+
 NearSegments::Ends NearSegments::ends_at(std::size_t segment, const VecX& q) const {
   return {q.segment<3>(segments_[segment][0]), q.segment<3>(segments_[segment][3])};
 }
@@ -45,6 +48,7 @@ void NearSegments::cover(const VecX& q, const VecX& dq, const Touch& touch) {
   for (std::size_t i = 0; i < segments_.size(); ++i)
     if (first || moved_[i] > margin_) strays.push_back(static_cast<int>(i));
   if (strays.empty()) return;
+  ++searches_;
   if (first || strays.size() > kFew) {
     for (std::size_t i = 0; i < segments_.size(); ++i) place(i, q, dq, way);
     search_all(touch);

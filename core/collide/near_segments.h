@@ -36,6 +36,9 @@ class NearSegments {
 
   const std::vector<Pair>& pairs() const { return pairs_; }
 
+  long bytes() const;
+  long searches() const { return searches_; }  // of boxes
+
   /// Lower bound of a pair's distance anywhere on the way last covered [m].
   double at_least(const Pair& pair) const {
     return pair.distance - moved_[static_cast<std::size_t>(pair.a)] - moved_[static_cast<std::size_t>(pair.b)];
@@ -59,6 +62,7 @@ class NearSegments {
   std::vector<Eigen::AlignedBox3d> boxes_;  // around the way each was searched for, by half the reach and the margin
   std::vector<double> moved_;               // furthest that an end is from place_ on the way last covered [m]
   std::vector<Pair> pairs_;
+  long searches_ = 0;
 };
 
 }  // namespace slipstitch

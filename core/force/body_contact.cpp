@@ -8,6 +8,7 @@
 #include "collide/shape_distance.h"
 #include "force/scripted_nodes.h"
 #include "force/weighted_point.h"
+#include "math/bytes.h"
 
 namespace slipstitch {
 namespace {
@@ -70,7 +71,10 @@ void BodyContact::begin_step(const StepContext& step) {
   revision_ = pairs_ == before ? revision : revision + 1;
 }
 
+long BodyContact::search_bytes() const { return bytes_of(parts_->all_samples, bodies_, pairs_, paired_); }
+
 void BodyContact::watch(const VecX& q, const VecX& dq, double a) {
+  if (!bodies_.empty()) ++searches_;
   std::size_t at = 0;
   for (int s = 0; s < static_cast<int>(parts_->all_samples.size()); ++s)
     for (int b = 0; b < static_cast<int>(bodies_.size()); ++b, ++at) {

@@ -32,6 +32,8 @@ class BodyContact {
   const SharedTouchParts& parts() const { return parts_; }
 
   long revision() const { return revision_; }
+  long search_bytes() const;
+  long searches() const { return searches_; }
   /// Takes in as stencils the pairs that the way from q to q + a dq could bring together. They carry no energy at q.
   void watch(const VecX& q, const VecX& dq, double a);
   /// Largest share <= a of that way on which nothing passes into a sphere. Only after `watch` of the same way.
@@ -58,7 +60,7 @@ class BodyContact {
   std::vector<char> held_;  // per node: a handle moves it
   std::vector<Pair> pairs_;
   std::vector<char> paired_;  // per sample and body
-  long revision_ = 0;
+  long revision_ = 0, searches_ = 0;
 };
 static_assert(ForceTerm<BodyContact>);
 

@@ -7,6 +7,7 @@
 
 #include "force/scripted_nodes.h"
 #include "force/weighted_point.h"
+#include "math/bytes.h"
 
 namespace slipstitch {
 namespace {
@@ -34,6 +35,7 @@ double ColliderContact::normal_force(const Pair& pair, const VecX& q) const {
 
 void ColliderContact::begin_step(const StepContext& step) {
   if (bodies_.empty()) return;
+  ++searches_;
   for (RigidBody& body : bodies_) body.move_to(step.start.t + step.h);
   std::vector<Pair> pairs;
   clear_.assign(samples().size(), std::numeric_limits<double>::infinity());
@@ -55,6 +57,8 @@ void ColliderContact::begin_step(const StepContext& step) {
   pairs_ = std::move(pairs);
   ++revision_;
 }
+
+long ColliderContact::search_bytes() const { return bytes_of(parts_->samples, bodies_, pairs_, clear_, start_); }
 
 double ColliderContact::eval(int k, const Vec<6>& q, Vec<6>* g, Mat<6>* hess) const {
   const double share = sample_of(k).share;

@@ -35,6 +35,8 @@ class ColliderContact {
 
   /// Changes whenever begin_step changes the stencils.
   long revision() const { return revision_; }
+  long search_bytes() const;
+  long searches() const { return searches_; }
   /// Largest share <= a of the way from q to q + dq on which nothing passes into a body.
   double max_step(const VecX& q, const VecX& dq, double a) const;
   /// Moves points out of bodies that have moved over them, as far as handles allow.
@@ -60,7 +62,7 @@ class ColliderContact {
   std::vector<Pair> pairs_;
   std::vector<double> clear_;  // per sample: least gap to the bodies it is not paired with [m]
   std::vector<Vec3> start_;    // per sample: place at the start of the step
-  long revision_ = 0;
+  long revision_ = 0, searches_ = 0;
 };
 static_assert(ForceTerm<ColliderContact>);
 

@@ -8,6 +8,7 @@
 #include "force/gap_energy.h"
 #include "force/scripted_nodes.h"
 #include "force/segments.h"
+#include "math/bytes.h"
 #include "model/pattern_places.h"
 
 namespace slipstitch {
@@ -129,6 +130,11 @@ void SelfCollision::find_start_distances(const Model& model) {
 double SelfCollision::contact_distance(int a, int b) const {
   const auto start = start_distance_.find(key(a, b));
   return start == start_distance_.end() ? 2.0 * radius_ : start->second;
+}
+
+long SelfCollision::search_bytes() const {
+  return near_.bytes() + bytes_of(segments_, joined_, pairs_) +
+         static_cast<long>(start_distance_.size() * sizeof(*start_distance_.begin()) + taken_.size() * sizeof(long));
 }
 
 double SelfCollision::depth(const Pair& pair) const { return kDeepest * std::min(pair.distance, radius_); }

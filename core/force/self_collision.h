@@ -40,6 +40,8 @@ class SelfCollision {
   void begin_step(const StepContext& step);
 
   long revision() const { return revision_; }
+  long search_bytes() const;
+  long searches() const { return near_.searches(); }
   /// Takes in as stencils the pairs that the way from q to q + a dq could bring together. They carry no energy at q.
   void watch(const VecX& q, const VecX& dq, double a);
   /// Largest share <= a of that way on which nothing passes through. Only after `watch` of the same way.

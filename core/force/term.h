@@ -50,6 +50,13 @@ concept HasChangingStencils = requires(const T& cterm) {
   { cterm.revision() } -> std::same_as<long>;
 };
 
+/// A term that searches for its stencils among all that could be one.
+template <class T>
+concept SearchesStencils = requires(const T& cterm) {
+  { cterm.search_bytes() } -> std::same_as<long>;  // of what it searches in
+  { cterm.searches() } -> std::same_as<long>;      // up to now
+};
+
 /// A term that takes in stencils for a move before it is made.
 template <class T>
 concept WatchesMoves = requires(T& term, const VecX& q, double a) {

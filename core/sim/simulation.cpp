@@ -148,15 +148,6 @@ std::map<std::string, double> Simulation::energies() {
   return result;
 }
 
-EffectCosts Simulation::effect_costs() const {
-  EffectCosts costs = assembly_.costs(forces_);
-  for (const auto& [term, cost] : ends_.costs(forces_)) {
-    costs[term].bytes += cost.bytes;
-    costs[term].evaluations += cost.evaluations;
-  }
-  return costs;
-}
-
 VecX Simulation::reactions() const {
   VecX gradient = VecX::Zero(map_.num_coords());
   std::apply([&](const auto&... term) { (add_full_gradient(term, state_.q, {}, gradient), ...); }, forces_);

@@ -129,7 +129,6 @@ double strained_length(double s, double stretch_n, double e, double w, double st
 
 std::string work_not_known(const Model& model) {
   const Effects& on = model.effects;
-  if (!on.inertia) return "there is no inertia";
   if (!on.stretch) return "there is no stretch";
   if (on.shrinkage) return "shrinkage does work";
   if (on.wind) return "wind does work";
@@ -185,8 +184,10 @@ Reach bound_reach(Simulation& sim) {
   for (const PartFacts& facts : facts_of(model, graph)) {
     if (!facts.held.empty()) {
       reach.parts.push_back(held_part(model, graph, facts, energy));
-    } else if (model.effects.air_drag || facts.load > 0.0) {
-      reach.no_bound = model.effects.air_drag ? "air slows a free part" : "loads move a free part";
+    } else if (!model.effects.inertia || model.effects.air_drag || facts.load > 0.0) {
+      reach.no_bound = !model.effects.inertia    ? "without inertia nothing carries a free part"
+                       : model.effects.air_drag ? "air slows a free part"
+                                                : "loads move a free part";
       return reach;
     } else {
       reach.parts.push_back(free_part(model, graph, facts, energy));

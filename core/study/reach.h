@@ -24,11 +24,11 @@ struct Reach {
 };
 
 /// From the energy that there is, at the start and from weight and loads, every other term taking some: a path of yarn
-/// of rest length S that is strained to r holds EA (r - S)^2/(2 S) at least, and implicit Euler never adds energy. A
+/// of rest length S that is strained to r holds EA (r - S)^2/(2 S) at least, and neither implicit Euler nor a way to rest adds energy. A
 /// part that is held stays within a path of its held nodes; one that is free stays within a path of its centre of mass,
 /// which falls freely. Where yarn slides a path can take in all yarn of its part, so the bound is wide.
-/// There is none where something does work that cannot be told before: moving handles, wind, dynamic spheres, air
-/// on a free part, loads on a free part, shrinkage; nor without inertia or stretch.
+/// There is none where something does work that cannot be told before: moving handles, wind, dynamic spheres,
+/// shrinkage; nor for a free part with air, with loads or without inertia; nor without stretch.
 Reach bound_reach(Simulation& sim);
 
 struct RunSpan {

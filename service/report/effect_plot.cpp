@@ -12,6 +12,7 @@ namespace slipstitch {
 namespace {
 
 constexpr double kWidth = 960.0, kTop = 74.0, kRow = 24.0, kBottom = 34.0;
+constexpr int kTicks = 3;  // of the time axis, on either side of 1
 constexpr std::string_view kGrid = "#e3e3e3", kAxis = "#888", kFaint = "#777";
 constexpr std::string_view kMove = "#2b6cb0", kRms = "#90b8de", kCost = "#c05621", kSaving = "#2f855a";
 
@@ -49,9 +50,10 @@ void draw_axes(Svg& svg, const LogAxis& move, const LogAxis& time, double bottom
     svg.line(move.at(value), kTop - 8.0, move.at(value), bottom, kGrid);
     svg.text(move.at(value), bottom + 16.0, k == 0 ? "<1e-4" : plain_number(value, 1), "middle", kFaint);
   }
-  const int octaves = static_cast<int>(std::lround(std::log2(time.high / time.low)));
-  for (int k = 0; k <= octaves; k += octaves > 8 ? 2 : 1) {
-    const double value = time.low * std::exp2(k);
+  const int octaves = static_cast<int>(std::lround(std::log2(time.high)));  // on either side
+  const int apart = 1 + (octaves - 1) / kTicks, ticks = octaves / apart;
+  for (int k = -ticks; k <= ticks; ++k) {
+    const double value = std::exp2(k * apart);
     svg.line(time.at(value), kTop - 8.0, time.at(value), bottom, value == 1.0 ? kAxis : kGrid);
     svg.text(time.at(value), bottom + 16.0, "x" + short_number(value), "middle", kFaint);
   }

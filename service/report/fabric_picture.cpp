@@ -12,7 +12,7 @@
 namespace slipstitch {
 namespace {
 
-constexpr double kPanel = 230.0, kTop = 52.0, kBottom = 40.0, kMargin = 12.0;
+constexpr double kPanel = 230.0, kCaption = 690.0, kTop = 52.0, kBottom = 40.0, kMargin = 12.0;
 constexpr double kAzimuth = 0.45, kElevation = 0.45;  // [rad]
 constexpr int kChunk = 4;                             // segments of a yarn that are drawn as one
 
@@ -165,7 +165,7 @@ std::string growing_picture(const std::string& scene, const std::vector<GrowingS
   view.top = kTop;
   view.middle = 0.5 * (extent.low + extent.high);
   view.scale = (kPanel - 2.0 * kMargin) / std::max({1.15 * size.x(), 1.15 * size.y(), 1e-9});
-  Svg svg(kPanel * static_cast<double>(sets.size()), kTop + kPanel + kBottom, scene + " under growing sets of effects");
+  Svg svg(std::max(kPanel * static_cast<double>(sets.size()), kCaption), kTop + kPanel + kBottom, scene + " under growing sets of effects");
   svg.raw(
       "<defs><radialGradient id=\"body\" cx=\".38\" cy=\".32\" r=\".75\"><stop offset=\"0\" stop-color=\"#f3e7d8\"/>"
       "<stop offset=\"1\" stop-color=\"#a88f73\"/></radialGradient></defs>\n");

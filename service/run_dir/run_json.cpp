@@ -42,10 +42,12 @@ void fields(auto& visit, auto& body) requires std::is_same_v<std::remove_cvref_t
 }
 
 void fields(auto& visit, auto& cost) requires std::is_same_v<std::remove_cvref_t<decltype(cost)>, EffectCost> {
+  visit("dofs", cost.dofs);
   visit("stencils", cost.stencils);
   visit("bytes", cost.bytes);
   visit("nonzeros", cost.nonzeros);
   visit("evaluations", cost.evaluations);
+  visit("searches", cost.searches);
 }
 
 class JsonWriter {

@@ -36,6 +36,14 @@ Scene catenary() {
   return scene;
 }
 
+/// Where the far end of an elastic catenary is, hung with a force (h, v) [N] on its near end. H. M. Irvine, "Cable
+/// Structures", MIT Press 1981, chapter 1: rest length l [m], weight w [N/m] of it, stiffness ea [N].
+Vec3 end_of_catenary(double h, double v, double l, double w, double ea) {
+  const double a = v / h, b = (v + w * l) / h;
+  return {h * l / ea + h / w * (std::asinh(b) - std::asinh(a)),
+          l / ea * (v + 0.5 * w * l) + h / w * (std::hypot(1.0, b) - std::hypot(1.0, a)), 0.0};
+}
+
 TEST(Handle, ReactionsOfACatenaryCarryItsWeight) {
   const RunSummary summary = measured(catenary());
   ASSERT_EQ(summary.handles.size(), 2U);
@@ -43,6 +51,8 @@ TEST(Handle, ReactionsOfACatenaryCarryItsWeight) {
   EXPECT_LT((low + high - Vec3(0.0, 0.5 * 1.2 * kGravity, 0.0)).norm(), 1e-7);
   EXPECT_GT(high.y(), low.y() + 0.1);  // the higher end carries more
   EXPECT_LT(low.x(), -0.1);            // and they pull apart
+  const Vec3 end = end_of_catenary(-low.x(), -low.y(), 1.2, 0.5 * kGravity, 500.0);
+  EXPECT_LT((end - Vec3(1.0, 0.3, 0.0)).norm(), 1e-3) << end.transpose();
   EXPECT_NEAR(summary.handles[1].max_reaction_n, high.norm(), 1e-12);
   EXPECT_NEAR(summary.handles[1].max_reaction_t_s, 1.0, 1e-9);
 }

@@ -19,7 +19,7 @@ RunSummary full_summary() {
   summary.dofs = 3;
   summary.nonzeros = 17;
   summary.effects = {"stretch", "bending"};
-  summary.effect_cost = {{"stretch", {10, 20, 30, 40}}};
+  summary.effect_cost = {{"stretch", {5, 10, 20, 30, 40, 50}}};
   summary.effect_choice = EffectChoice{0.1, 5e-4, 2.5, {{"wind", false, "none", 1e-6}, {"inertia", true, "always", {}}}};
   summary.sim_time_s = 0.1;
   summary.wall_s = 1.0 / 3.0;
@@ -101,7 +101,7 @@ TEST(RunJson, SummaryNamesItsMembersInTheStruct) {
   EXPECT_EQ(json["energy_j"]["kinetic"], 1e-9);
   EXPECT_EQ(json["effects"][1], "bending");
   EXPECT_EQ(json["threads"], 2);
-  EXPECT_EQ(json["effect_cost"].dump(), R"({"stretch":{"stencils":10,"bytes":20,"nonzeros":30,"evaluations":40}})");
+  EXPECT_EQ(json["effect_cost"].dump(), R"({"stretch":{"dofs":5,"stencils":10,"bytes":20,"nonzeros":30,"evaluations":40,"searches":50}})");
   EXPECT_EQ(json["effect_choice"].dump(),
             R"({"window_s":0.1,"tolerance_m":0.0005,"wall_s":2.5,"verdicts":[)"
             R"({"effect":"wind","kept":false,"why":"none","difference_m":1e-06},)"

@@ -51,6 +51,10 @@ TEST(EffectCost, WithoutSlidingThereIsNoArcLengthAmongTheUnknowns) {
   EXPECT_EQ(sliding.num_dofs(), 3 * free_nodes + 2);
   EXPECT_LT(glued.effect_costs().at("stretch").nonzeros, sliding.effect_costs().at("stretch").nonzeros);
   EXPECT_FALSE(glued.effect_costs().contains("damping_sliding"));
+  EXPECT_FALSE(glued.effect_costs().contains("sliding"));
+  EXPECT_EQ(sliding.effect_costs().at("sliding").dofs, 2);
+  // Glued, the matrix is that of the positions.
+  EXPECT_EQ(sliding.effect_costs().at("sliding").nonzeros, sliding.num_nonzeros() - glued.num_nonzeros());
 }
 
 TEST(EffectCost, WithoutWrappingNoTwelveByTwelveBlocks) {
@@ -71,6 +75,39 @@ TEST(EffectCost, WithoutPlasticityThereIsNoSet) {
   EXPECT_EQ(Simulation(compile(scene, nullptr)).state().set_angle.size(), 0);
   scene.effects.plasticity.emplace();
   EXPECT_EQ(Simulation(compile(scene, nullptr)).state().set_angle.size(), 5);
+}
+
+TEST(EffectCost, OfAnEffectThatActsInOtherTermsIsThereOnlyWhenItIsOn) {
+  Scene scene = hanging_yarn();
+  scene.effects.air_drag.emplace();
+  const EffectCosts off = costs_of(scene);
+  for (const char* effect : {"plasticity", "shrinkage", "wind"}) EXPECT_FALSE(off.contains(effect)) << effect;
+  scene.effects.plasticity.emplace();
+  scene.effects.shrinkage.emplace().keyframes = {{1.0, 0.9}};
+  scene.effects.wind.emplace().velocity_m_per_s = {1.0, 0.0, 0.0};
+  const EffectCosts on = costs_of(scene);
+  EXPECT_EQ(on.at("plasticity").stencils, on.at("bending").stencils);
+  EXPECT_EQ(on.at("plasticity").bytes, 3 * 2 * 8);
+  EXPECT_EQ(on.at("shrinkage").stencils, 4);
+  EXPECT_EQ(on.at("wind").stencils, on.at("air_drag").stencils);
+}
+
+// Nothing that could touch is looked for where nothing may touch, and nothing is there to look for it in.
+TEST(EffectCost, WithoutCollidersAndSelfCollisionNothingIsSearchedFor) {
+  Scene scene = hanging_yarn();
+  scene.duration_s = 0.05;
+  for (const auto& [term, cost] : run(scene, 1, {}).effect_cost) EXPECT_EQ(cost.searches, 0) << term;
+  scene.effects.self_collision.emplace();
+  Collider far;
+  far.shape = Sphere{{10.0, 0.0, 0.0}, 0.1};
+  scene.effects.colliders.emplace().colliders = {far};
+  const EffectCosts on = run(scene, 1, {}).effect_cost;
+  for (const char* term : {"colliders", "self_collision"}) {
+    ASSERT_TRUE(on.contains(term)) << term;
+    EXPECT_GT(on.at(term).searches, 0) << term;
+    EXPECT_GT(on.at(term).bytes, 0) << term;
+    EXPECT_EQ(on.at(term).stencils, 0) << term;
+  }
 }
 
 TEST(EffectCost, IsInTheSummaryWithItsEvaluations) {

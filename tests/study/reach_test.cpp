@@ -59,6 +59,17 @@ TEST(Reach, HoldsAYarnThatItsWeightStretches) {
   EXPECT_GT(reach.parts[0].radius - slack, 1.2 * 0.2);  // farther than the yarn is long
 }
 
+TEST(Reach, HoldsAYarnThatComesToRestWithoutInertia) {
+  Scene scene = hanging_yarn();
+  scene.effects.inertia.reset();
+  scene.yarn.stretch_n = 0.05;
+  const Reach reach = reach_of(scene);
+  ASSERT_EQ(reach.no_bound, "");
+  const double slack = least_slack(scene, reach);
+  EXPECT_GE(slack, 0.0);
+  EXPECT_GT(reach.parts[0].radius - slack, 1.1 * 0.2);  // its weight has stretched it
+}
+
 TEST(Reach, HoldsAThrownSoftYarn) {
   Scene scene = hanging_yarn();
   scene.handles.clear();
@@ -96,6 +107,8 @@ TEST(Reach, HasNoBoundWhereWorkIsDoneThatNobodyKnows) {
   EXPECT_NE(reach_of(scene).no_bound, "");
   scene = hanging_yarn();
   scene.effects.inertia.reset();
+  EXPECT_EQ(reach_of(scene).no_bound, "");
+  scene.handles.clear();
   EXPECT_NE(reach_of(scene).no_bound, "");
 }
 

@@ -51,7 +51,8 @@ int main(int argc, char** argv) {
   print_bits("residual", summary.residual);
   for (const auto& [term, energy] : summary.energy_j) print_bits(term.c_str(), energy);
   for (const auto& [term, cost] : summary.effect_cost)
-    std::printf("%s %ld %ld %ld %ld\n", term.c_str(), cost.stencils, cost.bytes, cost.nonzeros, cost.evaluations);
+    std::printf("%s %ld %ld %ld %ld %ld %ld\n", term.c_str(), cost.dofs, cost.stencils, cost.bytes, cost.nonzeros,
+                cost.evaluations, cost.searches);
   for (const HandleForce& force : summary.handles) print_bits("handle", force.max_reaction_n);
   return summary.status == RunStatus::succeeded ? 0 : 1;
 }
