@@ -2,7 +2,6 @@
 #include "run_dir/worker_info.h"
 
 #include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace slipstitch {
@@ -10,7 +9,9 @@ namespace slipstitch {
 std::optional<std::uint64_t> process_start_ticks(std::int64_t pid) {
   if (pid <= 0) return std::nullopt;
   std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::ostringstream read;
+  read << file.rdbuf();  // a process that ends meanwhile is a read error, which iterators of the buffer throw
+  const std::string text = read.str();
   // Field 2, the program's name in parentheses, may hold anything: count from behind its end (proc(5)).
   const std::size_t name_end = text.rfind(')');
   if (name_end == std::string::npos) return std::nullopt;

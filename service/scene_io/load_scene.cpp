@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 
 #include "scene_io/chart_text.h"
 #include "scene_io/convert.h"
@@ -92,8 +92,10 @@ std::optional<std::string> file_text(const std::filesystem::path& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) return std::nullopt;
+  std::ostringstream read;
+  read << file.rdbuf();  // iterators of the buffer would throw what cannot be read
+  if (!file.is_open() || read.bad()) return std::nullopt;
+  std::string text = read.str();
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   return text;
 }

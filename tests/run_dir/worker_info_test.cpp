@@ -6,6 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <thread>
+
 namespace slipstitch::test {
 namespace {
 
@@ -44,6 +46,18 @@ TEST(WorkerInfo, AnUnreapedProcessIsDead) {
   EXPECT_FALSE(worker_alive(*worker));
   ::waitpid(child, nullptr, 0);
   EXPECT_FALSE(worker_alive(*worker));
+}
+
+// What /proc says of a process can end while it is being read.
+TEST(WorkerInfo, AProcessThatEndsWhileItIsLookedAtIsDeadOrAlive) {
+  for (int i = 0; i < 300; ++i) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    std::thread reaper([child] { ::waitpid(child, nullptr, 0); });
+    for (int look = 0; look < 50; ++look) describe_process(child);
+    reaper.join();
+    EXPECT_FALSE(describe_process(child));
+  }
 }
 
 }  // namespace
