@@ -8,6 +8,7 @@ namespace slipstitch {
 
 Inertia::Inertia(const Model& model) {
   if (!model.effects.inertia) return;
+  velocity_terms_ = !model.naive.no_velocity_terms;
   const Topology& topo = model.topology;
   std::vector<char> node_taken(static_cast<std::size_t>(topo.num_nodes), 0);
   std::vector<char> visit_taken(static_cast<std::size_t>(topo.num_visits()), 0);
@@ -58,7 +59,7 @@ void Inertia::begin_step(const StepContext& step) {
       p[j] = mine ? step.start.p[c] : 0.0;
     }
     mass_[i] = mass(k, start_[i]);
-    linear_[i] = p + h_ * kinetic_gradient(density_[i], start_[i], v);
+    linear_[i] = velocity_terms_ ? Vec<8>(p + h_ * kinetic_gradient(density_[i], start_[i], v)) : mass_[i] * v;
   }
 }
 

@@ -34,6 +34,8 @@ class Inertia {
  private:
   Mat<8> mass(int k, const Vec<8>& q) const;
 
+  bool velocity_terms_ = true;
+
   std::vector<std::array<int, kSize>> coords_;  // (size)
   std::vector<double> density_;                 // rho / c_L [kg/m] (size)
   std::vector<std::array<double, 2>> arc_mass_;  // m_u share on u0 and u1 [kg] (size)

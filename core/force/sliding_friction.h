@@ -31,12 +31,15 @@ class SlidingFriction {
   const std::vector<double>& limits() const { return limit_; }
 
  private:
+  double explicit_eval(std::size_t k, double u, Vec<kSize>* g, Mat<kSize>* hess) const;
+
   const Model* model_ = nullptr;  // outlives the pool
   int first_arc_coord_ = 0;
   double mu_ = 0.0, k_f_ = 0.0;
   std::vector<int> visit_;      // (size)
   std::vector<double> anchor_;  // [m] (size)
   std::vector<double> limit_;   // mu F_n [N] (size)
+  std::vector<double> naive_force_;  // [N] (size); empty: see Naive::explicit_friction
 };
 static_assert(ForceTerm<SlidingFriction>);
 

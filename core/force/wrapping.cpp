@@ -80,7 +80,7 @@ void convex_wrapping_hessian(double k, double rest, const Vec<12>& q, Mat<12>& h
 }
 
 Wrapping::Wrapping(const Model& model, WrapFadeForm form)
-    : offset_(form == WrapFadeForm::no_net_attraction ? -kPi * kPi / 6.0 : 0.0) {
+    : naive_(model.naive), offset_(form == WrapFadeForm::no_net_attraction ? -kPi * kPi / 6.0 : 0.0) {
   const auto& effect = model.effects.wrapping;
   if (!effect) return;
   const Topology& topology = model.topology;
@@ -97,6 +97,22 @@ Wrapping::Wrapping(const Model& model, WrapFadeForm form)
       contact_.push_back(static_cast<int>(i));
     }
   }
+}
+
+double Wrapping::naive_energy(std::size_t k, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) const {
+  const bool flips = naive_.unsigned_angle && wrap_angle(node(q, 0), node(q, 1), node(q, 2), node(q, 3)) < 0.0;
+  const double rest = naive_.unsigned_angle ? std::abs(rest_angle_[k]) : rest_angle_[k];
+  if (!flips) {
+    return naive_.unfaded_wraps ? bare_wrapping_energy(stiffness_[k], rest, q, g, hess)
+                                : wrapping_energy(stiffness_[k], rest, offset_, q, g, hess);
+  }
+  // What the printed formulas give: |psi| in the energy and in the factor of derivatives that are those of psi.
+  Vec<12> dpsi;
+  Mat<12> ddpsi;
+  const double t = -wrap_angle_derivatives(q, &dpsi, &ddpsi) - rest;
+  if (g) *g = stiffness_[k] * t * dpsi;
+  if (hess) *hess = stiffness_[k] * (dpsi * dpsi.transpose() + t * ddpsi);
+  return 0.5 * stiffness_[k] * t * t;
 }
 
 double Wrapping::least_energy() const {

@@ -47,6 +47,7 @@ class Wrapping {
   std::array<int, kSize> coords(int k) const { return coords_[static_cast<std::size_t>(k)]; }
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
     const auto i = static_cast<std::size_t>(k);
+    if (naive_.unsigned_angle || naive_.unfaded_wraps) [[unlikely]] return naive_energy(i, q, g, hess);
     return wrapping_energy(stiffness_[i], rest_angle_[i], offset_, q, g, hess);
   }
   void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const {
@@ -62,6 +63,9 @@ class Wrapping {
   double rest_angle(int k) const { return rest_angle_[static_cast<std::size_t>(k)]; }  // s psi0 [rad]
 
  private:
+  double naive_energy(std::size_t k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
+
+  Naive naive_;
   double offset_ = 0.0;                         // added to E(t)
   std::vector<std::array<int, kSize>> coords_;  // (size)
   std::vector<double> stiffness_;               // k_w L [N m] (size)

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "model/naive.h"
 #include "model/scene.h"
 #include "model/topology.h"
 
@@ -36,6 +37,7 @@ struct Model {
   std::vector<Vec3> load_forces;  // [N] per entry of load_nodes
   VecX start_q;                   // (num_coords)
   VecX start_v;                   // (num_coords) [m/s]
+  Naive naive = {};
 };
 
 /// Makes a scene that passed check() concrete. Bare yarns come first in the topology, the knit's yarn last. `rest`: the

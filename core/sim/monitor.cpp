@@ -11,6 +11,7 @@
 #include "force/stretch.h"
 #include "force/wrapping.h"
 #include "model/check_values.h"
+#include "sim/describe_place.h"
 
 namespace slipstitch {
 namespace {
@@ -22,6 +23,8 @@ Vec<12> gather(const std::array<int, 12>& coords, const VecX& q) {
   for (int i = 0; i < 12; ++i) x[i] = q[coords[static_cast<std::size_t>(i)]];
   return x;
 }
+
+bool is_faded(const Vec<12>& x) { return wrap_fade_derivatives(x, nullptr, nullptr) < 1.0; }
 
 bool interior(const Topology& topo, const StitchContact& contact) {
   if (contact.stitch < 0) return false;
@@ -44,7 +47,7 @@ Monitor::Monitor(const Simulation& sim)
     : start_arc_(sim.state().q.tail(sim.model().topology.num_visits())),
       min_gap_ratio_(std::numeric_limits<double>::infinity()) {
   observe_wraps(sim);
-  ridge_entries_ = 0;
+  ridge_entries_ = fade_entries_ = 0;
 }
 
 std::optional<std::string> Monitor::observe(const Simulation& sim, double residual) {
@@ -71,13 +74,17 @@ void Monitor::observe_segments(const Simulation& sim) {
 void Monitor::observe_wraps(const Simulation& sim) {
   const auto& wraps = term_of<Wrapping>(sim.forces());
   in_cap_.resize(static_cast<std::size_t>(wraps.size()), 0);
+  faded_.resize(in_cap_.size(), 0);
+  const auto count_entry = [](bool inside, char& before, long& entries) {
+    if (inside && !before) ++entries;
+    before = inside ? 1 : 0;
+  };
   for (int k = 0; k < wraps.size(); ++k) {
     const Vec<12> x = gather(wraps.coords(k), sim.state().q);
     const double psi = wrap_angle(x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9));
-    const bool inside = wrap_in_cap(wrap_excess(psi, wraps.rest_angle(k)));
-    char& before = in_cap_[static_cast<std::size_t>(k)];
-    if (inside && !before) ++ridge_entries_;
-    before = inside ? 1 : 0;
+    const auto i = static_cast<std::size_t>(k);
+    count_entry(wrap_in_cap(wrap_excess(psi, wraps.rest_angle(k))), in_cap_[i], ridge_entries_);
+    count_entry(is_faded(x), faded_[i], fade_entries_);
   }
 }
 
@@ -125,7 +132,7 @@ void Monitor::report(const Simulation& sim, RunSummary& summary) const {
   if (wraps.size() == 0) return;
   FadeCount all, inner;
   for (int k = 0; k < wraps.size(); ++k) {
-    const bool faded = wrap_fade_derivatives(gather(wraps.coords(k), q), nullptr, nullptr) < 1.0;
+    const bool faded = is_faded(gather(wraps.coords(k), q));
     const bool inside = interior(topo, topo.contacts[static_cast<std::size_t>(wraps.contact(k))]);
     all.wraps += 1;
     all.faded += faded;
@@ -135,24 +142,7 @@ void Monitor::report(const Simulation& sim, RunSummary& summary) const {
   summary.faded_wrap_share = all.share();
   summary.faded_wrap_share_interior = inner.share();
   summary.wrap_ridge_entries = ridge_entries_;
-}
-
-std::string describe_contact(const Topology& topology, int contact) {
-  const StitchContact& c = topology.contacts[static_cast<std::size_t>(contact)];
-  if (c.stitch < 0) return "the bind-off";
-  const Stitch& s = topology.stitches[static_cast<std::size_t>(c.stitch)];
-  return "course " + std::to_string(s.course) + ", wale " + std::to_string(s.wale) +
-         (c.side == ClaspSide::left ? " (left clasp)" : " (right clasp)");
-}
-
-std::string describe_visit(const Topology& topology, int yarn, int visit) {
-  for (std::size_t c = 0; c < topology.contacts.size(); ++c) {
-    const StitchContact& contact = topology.contacts[c];
-    for (int v : {contact.u_visit[0], contact.u_visit[1], contact.v_visit[0], contact.v_visit[1]})
-      if (v == visit) return describe_contact(topology, static_cast<int>(c));
-  }
-  const int point = visit - topology.yarn_first[static_cast<std::size_t>(yarn)];
-  return "point " + std::to_string(point) + " of yarn " + std::to_string(yarn);
+  summary.wrap_fade_entries = fade_entries_;
 }
 
 std::string state_hash(const VecX& q) {

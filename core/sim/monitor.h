@@ -28,16 +28,11 @@ class Monitor {
 
   VecX start_arc_;             // (num_visits)
   std::vector<char> in_cap_;   // per wrap, after the last step
+  std::vector<char> faded_;    // the same
   double min_gap_ratio_, max_stretch_ = 0.0;
   double residual_ = std::numeric_limits<double>::quiet_NaN();  // before the first step
-  long ridge_entries_ = 0;
+  long ridge_entries_ = 0, fade_entries_ = 0;
 };
-
-/// "course 3, wale 5 (left clasp)" of a stitch contact, or "bind-off".
-std::string describe_contact(const Topology& topology, int contact);
-
-/// The stitch contact of a visit, or "point 2 of yarn 0" where there is none.
-std::string describe_visit(const Topology& topology, int yarn, int visit);
 
 /// FNV-1a over the bytes of the full coordinates, as 16 hex digits.
 std::string state_hash(const VecX& q);

@@ -9,6 +9,7 @@
 
 #include "model/check_values.h"
 #include "model/effect_list.h"
+#include "sim/describe_place.h"
 #include "sim/monitor.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
@@ -34,7 +35,9 @@ class Run {
     Prepared prepared = prepare(scene_, hooks_.should_stop);
     if (prepared.cancelled) return finish(RunStatus::cancelled, "");
     if (prepared.failure) return finish(RunStatus::failed, *prepared.failure);
-    Simulation sim(std::move(prepared.model));
+    if (hooks_.on_model) hooks_.on_model(prepared.model);
+    Simulation sim(std::move(prepared.model), hooks_.make_solver ? hooks_.make_solver() : make_cholmod_solver());
+    if (hooks_.on_start) hooks_.on_start(sim);
     Monitor monitor(sim);
     HandleForces forces(sim, scene_.handles.size());
     describe(sim);
@@ -90,6 +93,7 @@ class Run {
   void emit(const Simulation& sim) {
     if (hooks_.on_frame) hooks_.on_frame({summary_.frames, sim.state().t, sim.state().q});
     ++summary_.frames;
+    last_emitted_ = sim.state().t;
   }
 
   void progress(const Simulation& sim, double h, double residual) const {
@@ -124,11 +128,24 @@ class Run {
     for (int frame = 1; frame < num_frames_; ++frame) {
       const double end = std::min(frame / scene_.frames_per_s, scene_.duration_s);
       const RunStatus status = advance_to(sim, monitor, forces, end);
-      if (status != RunStatus::succeeded) return status;
+      if (status != RunStatus::succeeded) {
+        // The last good state, between the frames that were planned.
+        if (status == RunStatus::failed && sim.state().t > last_emitted_) emit(sim);
+        return status;
+      }
       emit(sim);
       progress(sim, step_, last_residual_);
     }
     return RunStatus::succeeded;
+  }
+
+  std::string why_not(const Simulation& sim, const StepReport& report) const {
+    std::string why = "no step above " + number_text(numerics_.smallest_step_s) + " s converges at t = " +
+                      short_time(sim.state().t) + " s: " +
+                      (report.at_arc_floor ? "a segment loses its yarn" : std::string(to_string(report.newton.status)));
+    if (report.worst_coord < 0) return why;
+    why += ", worst at " + describe_coordinate(sim.model().topology, report.worst_coord);
+    return report.worst_term.empty() ? why : why + ", where the largest force is that of " + report.worst_term;
   }
 
   /// Equal steps of at most the asked size up to time `end`; a step that does not converge is halved, and the size
@@ -145,12 +162,12 @@ class Run {
       summary_.factorizations += report.newton.factorizations;
       summary_.convex_hessians += report.newton.convex_hessians;
       if (report.newton.status == NewtonStatus::cancelled) return RunStatus::cancelled;
+      if (hooks_.on_step) hooks_.on_step(sim, report);
       if (!report.accepted) {
         ++summary_.rejected_steps;
         step_ = 0.5 * h;
         if (step_ >= numerics_.smallest_step_s) continue;
-        summary_.message = "no step above " + number_text(numerics_.smallest_step_s) + " s converges at t = " +
-                           short_time(sim.state().t) + " s: " + std::string(to_string(report.newton.status));
+        summary_.message = why_not(sim, report);
         return RunStatus::failed;
       }
       ++summary_.steps;
@@ -175,6 +192,7 @@ class Run {
   RunSummary summary_;
   int num_frames_ = 0;
   double step_ = 0.0, last_residual_ = 0.0;  // step: size asked of the next step [s]
+  double last_emitted_ = 0.0;                // time of the last frame [s]
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,12 @@
 #include "sim/effect_cost.h"
 #include "sim/frame.h"
 #include "sim/handle_forces.h"
+#include "solve/linear_solver.h"
 
 namespace slipstitch {
+
+class Simulation;
+struct StepReport;
 
 enum class RunStatus { succeeded, failed, cancelled };
 
@@ -36,6 +41,10 @@ struct RunHooks {
   std::function<void(double t, const std::vector<Vec3>&)> on_bodies;     // at the start and after every step of a scene
                                                                       // with dynamic colliders, their centres [m]; may
                                                                       // be empty
+  std::function<void(Model&)> on_model;                // before the simulation is made of it, to change it; may be empty
+  std::function<std::unique_ptr<LinearSolver>()> make_solver;  // empty: the default one
+  std::function<void(Simulation&)> on_start;           // before the first step; may be empty
+  std::function<void(Simulation&, const StepReport&)> on_step;  // after every attempted step; may be empty
   std::function<void(const Progress&)> on_progress;    // after every step; may be empty
   std::function<bool()> should_stop;                   // polled every step and every Newton iteration; may be empty
 };
@@ -65,6 +74,7 @@ struct RunSummary {
   std::optional<double> faded_wrap_share;    // of all wraps at the end, and of those away from every edge
   std::optional<double> faded_wrap_share_interior;
   std::optional<long> wrap_ridge_entries;    // wraps that entered the cap around psi = s psi0 +- pi
+  std::optional<long> wrap_fade_entries;     // wraps that began to fade (wrap_fade.h) after the start
   std::optional<int> self_collision_start_overlaps;  // SelfCollision::start_overlaps()
   std::vector<HandleForce> handles;          // one a handle of the scene
   std::vector<BodyMotion> bodies;            // dynamic colliders at the end

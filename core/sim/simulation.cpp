@@ -19,7 +19,7 @@ namespace slipstitch {
 namespace {
 
 // Yarn is stiff as k_s/D: in a segment of next to no length the Newton step is small whatever the force, and says nothing.
-constexpr double kKeepArcInAStep = 0.1;
+constexpr double kKeepArcInAStep = 0.05;
 constexpr double kEndsTolerance = 0.1;  // share of the step tolerance to which loose ends are solved
 
 class TimedSolver final : public LinearSolver {
@@ -56,13 +56,13 @@ State start_state(const Model& model, const YarnForces& forces) {
 
 }  // namespace
 
-Simulation::Simulation(Model model)
+Simulation::Simulation(Model model, std::unique_ptr<LinearSolver> solver)
     : model_(std::move(model)),
       forces_(make_forces(model_)),
       map_(make_dof_map(model_)),
       assembly_(forces_, map_),
       ends_(model_.topology, forces_, map_),
-      solver_(make_cholmod_solver()) {
+      solver_(std::move(solver)) {
   state_ = start_state(model_, forces_);
 }
 
@@ -83,12 +83,14 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   VecX y;
   push_out(forces_, state_.q, start);
   restrict_to_dofs(map_, start, y);
-  objective.keep_arcs(state_.q, quasi_static() ? 0.0 : kKeepArcInAStep);
+  objective.keep_arcs(state_.q, quasi_static() ? 0.0 : kKeepArcInAStep, model_.yarn.stretch_n);
   objective.predict(y, VecX::Zero(y.size()));
   if (!quasi_static()) {
     objective.settle_on_their_own(ends_, kEndsTolerance * h * numerics.velocity_tolerance_m_per_s);
-    objective.extrapolate(y, h, state_.v);
   }
+  const VecX unmoved = y;
+  const bool follows = objective.follow_scripts(y, state_.q, solver);
+  const bool risen = !follows && !quasi_static() && objective.extrapolate(y, h, state_.v);
 
   NewtonOptions options;
   options.max_iterations = numerics.max_newton_iterations;
@@ -99,16 +101,54 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   } else {
     options.step_tolerance = h * numerics.velocity_tolerance_m_per_s;
   }
+  if (model_.naive.unfiltered_steps) objective.allow_any_step();
+  options.convex_fallback = !model_.naive.unprojected_hessian;
+  if (model_.naive.one_solve) options.max_iterations = 1;
   StepReport report;
   report.newton = newton(objective, solver, options, y);
+  if (risen && report.newton.status == NewtonStatus::converged && objective.value(y) > objective.value(unmoved)) {
+    y = unmoved;
+    const NewtonReport first = report.newton;
+    report.newton = newton(objective, solver, options, y);
+    report.newton.iterations += first.iterations;
+    report.newton.factorizations += first.factorizations;
+    report.newton.convex_hessians += first.convex_hessians;
+  }
   report.residual = quasi_static() ? report.newton.max_gradient : report.newton.max_step / h;
-  report.accepted = report.newton.status == NewtonStatus::converged;
+  report.accepted = report.newton.status == NewtonStatus::converged ||
+                    (model_.naive.one_solve && report.newton.status == NewtonStatus::too_many_iterations);
+  report.at_arc_floor = report.accepted && objective.at_arc_floor(y);
+  report.accepted = report.accepted && !report.at_arc_floor;
   if (report.accepted) {
     VecX q;
     expand(map_, y, q);
     accept(h, q);
+  } else if (report.newton.status != NewtonStatus::cancelled) {
+    blame(y, report);
   }
   return report;
+}
+
+void Simulation::blame(const VecX& y, StepReport& report) const {
+  if (report.newton.worst < 0) return;
+  for (int c = 0; c < map_.num_coords(); ++c)
+    if (map_.dof_of(c) == report.newton.worst) report.worst_coord = c;
+  VecX q;
+  expand(map_, y, q);
+  std::vector<char> wanted(static_cast<std::size_t>(map_.num_coords()), 0);
+  wanted[static_cast<std::size_t>(report.worst_coord)] = 1;
+  double largest = 0.0;
+  const auto compare = [&](const auto& term) {
+    using Term = std::decay_t<decltype(term)>;
+    if (std::is_same_v<Term, Inertia> || std::is_same_v<Term, BodyInertia>) return;
+    VecX gradient = VecX::Zero(q.size());
+    add_full_gradient(term, q, wanted, gradient);
+    const double force = std::abs(gradient[report.worst_coord]);
+    if (force <= largest) return;
+    largest = force;
+    report.worst_term = Term::kName;
+  };
+  std::apply([&](const auto&... term) { (compare(term), ...); }, forces_);
 }
 
 void Simulation::accept(double h, const VecX& q) {

@@ -18,6 +18,11 @@ struct StepReport {
   NewtonReport newton;
   double residual = 0.0;  // max |Newton step| / h [m/s]; quasi-static: max |gradient| [N]
   bool accepted = false;
+  bool at_arc_floor = false;  // converged, but a segment has lost all yarn that one step may take
+  // Of a solve that failed: the full coordinate that its last Newton step would move most (-1: none), and the term with
+  // the largest force on it.
+  int worst_coord = -1;
+  std::string worst_term;
 };
 
 /// One fabric in time. Implicit Euler: each step minimises the sum of all force terms, which are the incremental
@@ -27,7 +32,7 @@ struct StepReport {
 ///   StepReport report = sim.step(1e-3, numerics, {});
 class Simulation {
  public:
-  explicit Simulation(Model model);
+  explicit Simulation(Model model, std::unique_ptr<LinearSolver> solver = make_cholmod_solver());
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
@@ -54,6 +59,7 @@ class Simulation {
  private:
   void begin_step(const StepContext& step);
   void accept(double h, const VecX& q);
+  void blame(const VecX& y, StepReport& report) const;
 
   Model model_;
   State state_;

@@ -12,12 +12,12 @@ namespace slipstitch {
 namespace {
 
 constexpr double kKeepArc = 0.1;            // least share of a segment's arc length left by one Newton step
-constexpr double kLeastArc = 1e-3;          // of a segment's rest length, after any step
 constexpr double kLargestTurn = kPi / 4.0;  // of a wrap in one Newton step
 constexpr int kMaxTurnHalvings = 8;
 constexpr double kLargestMove = 0.7;         // of one end of a segment against the other in one Newton step, in its length
 constexpr double kLargestGuessStrain = 0.05;  // of a segment in the extrapolated start
 constexpr int kMaxGuessHalvings = 4;
+constexpr double kSmallMove = 1e-8;  // of what is held, for the derivative by it [m]
 
 Vec<12> gather(const std::array<int, 12>& coords, const VecX& q) {
   Vec<12> x;
@@ -36,13 +36,15 @@ double fade(const Vec<12>& x) { return wrap_fade_derivatives(x, nullptr, nullptr
 double StepObjective::value(const VecX& y) {
   const Stopwatch watch(wall_["energy"]);
   expand(map_, y, q_);
-  return assembly_.value(forces_, q_);
+  return assembly_.value(forces_, q_) + barrier_.value(q_);
 }
 
 double StepObjective::derivatives(const VecX& y, HessianMode mode, VecX& g, SparseMatrix& h) {
   const Stopwatch watch(wall_["assembly"]);
   expand(map_, y, q_);
-  return assembly_.derivatives(forces_, q_, mode, g, h);
+  const double energy = assembly_.derivatives(forces_, q_, mode, g, h);
+  barrier_.add_derivatives(q_, map_, g, h);
+  return energy + barrier_.value(q_);
 }
 
 void StepObjective::settle_on_their_own(LooseEnds& ends, double step_tolerance) {
@@ -50,25 +52,13 @@ void StepObjective::settle_on_their_own(LooseEnds& ends, double step_tolerance) 
   ends_tolerance_ = step_tolerance;
 }
 
-void StepObjective::keep_arcs(const VecX& q, double share) {
-  arc_floor_.assign(static_cast<std::size_t>(topology_.num_visits()), 0.0);
-  for (int i = 0; i + 1 < topology_.num_visits(); ++i) {
-    const auto v = static_cast<std::size_t>(i);
-    if (topology_.segment_kind[v] == SegmentKind::none) continue;
-    const int u0 = topology_.arc_coord(i);
-    const double arc = q[u0 + 1] - q[u0];
-    arc_floor_[v] = std::max(share * arc, std::min(kLeastArc * rest_length(topology_, i), 0.5 * arc));
-  }
+void StepObjective::keep_arcs(const VecX& q, double share, double stiffness) {
+  barrier_.keep(topology_, q, share, stiffness);
 }
 
-double StepObjective::keep_floor(const VecX& q, const VecX& dq, double a) const {
-  for (std::size_t v = 0; v + 1 < arc_floor_.size(); ++v) {
-    if (!(arc_floor_[v] > 0.0)) continue;
-    const int u0 = topology_.arc_coord(static_cast<int>(v));
-    const double above = q[u0 + 1] - q[u0] - arc_floor_[v], change = dq[u0 + 1] - dq[u0];
-    if (above + a * change < 0.0) a = std::max(0.0, 0.9 * above / -change);
-  }
-  return a;
+bool StepObjective::at_arc_floor(const VecX& y) {
+  expand(map_, y, q_);
+  return barrier_.active(q_);
 }
 
 void StepObjective::predict(const VecX& y, const VecX& dy) {
@@ -96,13 +86,18 @@ double StepObjective::step_size(const VecX& dy) const {
 }
 
 double StepObjective::max_step(const VecX& y, const VecX& dy) {
+  if (!filtered_) return 1.0;
   const Stopwatch watch(wall_["step_limits"]);
   expand(map_, y, q_);
   expand(map_, y + dy, dq_);
   dq_ -= q_;
-  double a = keep_floor(q_, dq_, order_preserving_step(topology_, q_, dq_, kKeepArc));
-  a = allowed_move(forces_, q_, dq_, keep_segments(q_, dq_, a));
-  for (int k = 0; k < kMaxTurnHalvings && turns_too_far(q_, dq_, a); ++k) a *= 0.5;
+  return max_way(q_, dq_);
+}
+
+double StepObjective::max_way(const VecX& q, const VecX& dq) {
+  double a = barrier_.max_step(q, dq, order_preserving_step(topology_, q, dq, kKeepArc));
+  a = allowed_move(forces_, q, dq, keep_segments(q, dq, a));
+  for (int k = 0; k < kMaxTurnHalvings && turns_too_far(q, dq, a); ++k) a *= 0.5;
   return a;
 }
 
@@ -142,18 +137,51 @@ bool StepObjective::turns_too_far(const VecX& q, const VecX& dq, double a) const
   return false;
 }
 
-void StepObjective::extrapolate(VecX& y, double h, const VecX& v) {
+bool StepObjective::follow_scripts(VecX& y, const VecX& q0, LinearSolver& solver) {
+  const double here = value(y);  // fills q_
+  VecX way = VecX::Zero(q0.size());
+  for (int c = 0; c < map_.num_coords(); ++c)
+    if (map_.dof_of(c) < 0) way[c] = q_[c] - q0[c];
+  const double farthest = way.cwiseAbs().maxCoeff();
+  if (!(farthest > 0.0)) return false;
+  const double share = kSmallMove / farthest;
+  VecX gradient, moved;
+  SparseMatrix h;
+  assembly_.derivatives(forces_, q0 + share * way, HessianMode::convex, moved, h);
+  LinearStatus status = LinearStatus::not_positive_definite;
+  for (const HessianMode mode : {HessianMode::exact, HessianMode::convex}) {
+    assembly_.derivatives(forces_, q0, mode, gradient, h);
+    status = solver.factor(h);
+    if (status == LinearStatus::ok) break;
+  }
+  VecX dy;
+  if (status != LinearStatus::ok || solver.solve(-(gradient + (moved - gradient) / share), dy) != LinearStatus::ok)
+    return false;
+  for (int c = 0; c < map_.num_coords(); ++c)
+    if (const int d = map_.dof_of(c); d >= 0) way[c] = dy[d];
+  VecX from;
+  restrict_to_dofs(map_, q0, from);
+  const VecX guess = from + max_way(q0, way) * dy;
+  if (!(value(guess) < here)) return false;
+  y = guess;
+  return true;
+}
+
+bool StepObjective::extrapolate(VecX& y, double h, const VecX& v) {
   VecX step = VecX::Zero(y.size());
   for (int c = 0; c < map_.num_coords(); ++c)
     if (const int d = map_.dof_of(c); d >= 0) step[d] = h * v[c];
+  const double here = value(y);
   double a = max_step(y, step);
   for (int k = 0; k < kMaxGuessHalvings; ++k, a *= 0.5) {
     const VecX guess = y + a * step;
-    if (!std::isfinite(value(guess))) continue;  // fills q_
+    const double there = value(guess);  // fills q_
+    if (!std::isfinite(there)) continue;
     if (overstretched(q_)) continue;
     y = guess;
-    return;
+    return there > here;
   }
+  return false;
 }
 
 }  // namespace slipstitch

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "sim/arc_barrier.h"
 #include "sim/assembly.h"
 #include "sim/loose_ends.h"
 #include "sim/simulation.h"
@@ -35,8 +36,13 @@ class StepObjective final : public Objective {
   /// From here on `ends` are solved for on their own, to step_tolerance [m]. Only with a simple map.
   void settle_on_their_own(LooseEnds& ends, double step_tolerance);
 
-  /// From here on no arc length goes below `share` of what it is at q, nor below a thousandth of its rest length.
-  void keep_arcs(const VecX& q, double share);
+  /// See Naive::unfiltered_steps.
+  void allow_any_step() { filtered_ = false; }
+
+  /// From here on an ArcBarrier::keep() of q is part of the value.
+  void keep_arcs(const VecX& q, double share, double stiffness);
+  /// Whether that changes the value at y.
+  bool at_arc_floor(const VecX& y);
 
   double value(const VecX& y) override;
   double derivatives(const VecX& y, HessianMode mode, VecX& g, SparseMatrix& h) override;
@@ -47,11 +53,17 @@ class StepObjective final : public Objective {
   double step_size(const VecX& dy) const override;
 
   /// Moves y along h v, as far as the step limits allow and yarn that turns is not stretched by more than a twentieth:
-  /// Newton removes that in one iteration and has less turning left to do, but yarn torn apart takes it many.
-  void extrapolate(VecX& y, double h, const VecX& v);
+  /// Newton removes that in one iteration and has less turning left to do, but yarn torn apart takes it many. Returns
+  /// whether the value rose: then the solve may end higher than it would have begun, which is no step of implicit Euler.
+  bool extrapolate(VecX& y, double h, const VecX& v);
+
+  /// Moves y to where the linearisation at q0, the state before the step, puts it while the held coordinates go to where
+  /// scripts want them, and returns true, if the value is lower there. From a state in which only what is held has
+  /// moved, its yarn torn, Newton takes many iterations or never comes back.
+  bool follow_scripts(VecX& y, const VecX& q0, LinearSolver& solver);
 
  private:
-  double keep_floor(const VecX& q, const VecX& dq, double a) const;
+  double max_way(const VecX& q, const VecX& dq);
   double keep_segments(const VecX& q, const VecX& dq, double a) const;
   bool turns_too_far(const VecX& q, const VecX& dq, double a) const;
   bool overstretched(const VecX& q) const;
@@ -61,7 +73,8 @@ class StepObjective final : public Objective {
   Assembly& assembly_;
   const Topology& topology_;
   std::map<std::string, double>& wall_;
-  std::vector<double> arc_floor_;  // per segment, by first visit [m]; empty: none
+  ArcBarrier barrier_;
+  bool filtered_ = true;
   LooseEnds* ends_ = nullptr;
   double ends_tolerance_ = 0.0;  // [m]
   double ends_step_ = 0.0;       // last step inside `settle` [m]

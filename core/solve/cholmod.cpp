@@ -26,7 +26,7 @@ constexpr double kMoreOperations = 1.2;  // that an order found for another patt
 
 class CholmodSolver final : public LinearSolver {
  public:
-  CholmodSolver() {
+  explicit CholmodSolver(Factorization factorization) : factorization_(factorization) {
     cholmod_start(&common_);
     common_.print = 0;
     common_.quick_return_if_not_posdef = 1;
@@ -35,12 +35,8 @@ class CholmodSolver final : public LinearSolver {
     common_.nmethods = 1;
     common_.method[0].ordering = CHOLMOD_METIS;
     common_.postorder = 1;
-#ifdef SLIPSTITCH_NO_SUPERNODAL
-    common_.supernodal = CHOLMOD_SIMPLICIAL;
-    common_.final_ll = 1;
-#else
-    common_.supernodal = CHOLMOD_SUPERNODAL;
-#endif
+    common_.supernodal = factorization == Factorization::supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+    if (factorization == Factorization::simplicial) common_.final_ll = 1;
   }
   CholmodSolver(const CholmodSolver&) = delete;
   CholmodSolver& operator=(const CholmodSolver&) = delete;
@@ -83,11 +79,7 @@ class CholmodSolver final : public LinearSolver {
   }
 
   std::string name() const override {
-#ifdef SLIPSTITCH_NO_SUPERNODAL
-    return "cholmod simplicial";
-#else
-    return "cholmod supernodal";
-#endif
+    return factorization_ == Factorization::supernodal ? "cholmod supernodal" : "cholmod simplicial";
   }
 
  private:
@@ -129,6 +121,7 @@ class CholmodSolver final : public LinearSolver {
     return view;
   }
 
+  Factorization factorization_;
   cholmod_common common_{};
   cholmod_factor* factor_ = nullptr;
   cholmod_dense *x_ = nullptr, *y_ = nullptr, *e_ = nullptr;  // workspaces kept between solves
@@ -139,8 +132,8 @@ class CholmodSolver final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_cholmod_solver() {
-  return std::make_unique<CholmodSolver>();
+std::unique_ptr<LinearSolver> make_cholmod_solver(Factorization factorization) {
+  return std::make_unique<CholmodSolver>(factorization);
 }
 
 }  // namespace slipstitch

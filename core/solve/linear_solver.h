@@ -22,6 +22,12 @@ class LinearSolver {
 };
 
 /// Sparse Cholesky of SuiteSparse's CHOLMOD; its dense kernels use the threads that BLAS was started with.
-std::unique_ptr<LinearSolver> make_cholmod_solver();
+enum class Factorization { supernodal, simplicial };
+#ifdef SLIPSTITCH_NO_SUPERNODAL
+inline constexpr Factorization kDefaultFactorization = Factorization::simplicial;
+#else
+inline constexpr Factorization kDefaultFactorization = Factorization::supernodal;
+#endif
+std::unique_ptr<LinearSolver> make_cholmod_solver(Factorization factorization = kDefaultFactorization);
 
 }  // namespace slipstitch

@@ -34,6 +34,7 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
   int flat = 0;
   const auto done = [&](NewtonStatus status) {
     report.status = status;
+    if (point.step.size() > 0 && point.step.allFinite()) point.step.cwiseAbs().maxCoeff(&report.worst);
     return report;
   };
   objective.settle(x, x);
@@ -45,7 +46,7 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
     if (report.max_gradient <= options.gradient_tolerance) return done(NewtonStatus::converged);
     const bool nearby = report.iterations > 0 && report.max_step <= kNearby * options.step_tolerance;
     if (!(nearby && find_direction_nearby(solver, point, report)) &&
-        find_direction(objective, solver, x, options.relative_shift, point, report) != LinearStatus::ok) {
+        find_direction(objective, solver, x, options, point, report) != LinearStatus::ok) {
       if (!watchdog.watching()) return done(NewtonStatus::linear_failure);
       if (watchdog.turn_back(objective, x, report) == Search::failed) return done(NewtonStatus::stalled);
       continue;

@@ -14,6 +14,7 @@ struct NewtonOptions {
   double gradient_tolerance = 0.0;  // stop when max |gradient| <= this [unit of value/x]; 0: not used
   double relative_shift = 0.0;      // added to the diagonal, in units of its mean; > 0 where rigid motion is free
   int max_iterations = 60;
+  bool convex_fallback = true;        // false: an indefinite Hessian ends the search
   std::function<bool()> should_stop;  // polled every iteration; may be empty
 };
 
@@ -24,6 +25,7 @@ struct NewtonReport {
   int iterations = 0, factorizations = 0, convex_hessians = 0, cg_iterations = 0, backtracks = 0;
   double max_step = 0.0;      // size of the last iteration's Newton step (Objective::step_size)
   double max_gradient = 0.0;  // max |gradient| where it was last evaluated
+  int worst = -1;             // unknown that the last step would move most; -1: none converged to a step
 };
 
 std::string_view to_string(NewtonStatus status);

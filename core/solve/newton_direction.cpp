@@ -64,13 +64,13 @@ bool find_direction_nearby(LinearSolver& solver, NewtonPoint& point, NewtonRepor
   return cg.converged;
 }
 
-LinearStatus find_direction(Objective& objective, LinearSolver& solver, const VecX& x, double relative_shift,
+LinearStatus find_direction(Objective& objective, LinearSolver& solver, const VecX& x, const NewtonOptions& options,
                             NewtonPoint& point, NewtonReport& report) {
   LinearStatus status = factor(solver, point.hessian, report);
   point.has_factor = true;
   if (status == LinearStatus::not_positive_definite && point.mode == HessianMode::predicted) {
     point.mode = HessianMode::exact;
-    evaluate(objective, x, relative_shift, point);
+    evaluate(objective, x, options.relative_shift, point);
     status = factor(solver, point.hessian, report);
   }
   if (status == LinearStatus::ok) {
@@ -80,8 +80,8 @@ LinearStatus find_direction(Objective& objective, LinearSolver& solver, const Ve
     return status;
   }
   point.has_factor = false;
-  if (status != LinearStatus::not_positive_definite) return status;
-  status = factor_convex(objective, solver, x, relative_shift, report);
+  if (status != LinearStatus::not_positive_definite || !options.convex_fallback) return status;
+  status = factor_convex(objective, solver, x, options.relative_shift, report);
   if (status != LinearStatus::ok) return status;
   const CgReport cg =
       conjugate_gradients(point.hessian, solver, -point.gradient, kCgTolerance, kMaxCgIterations, point.step);

@@ -19,7 +19,7 @@ struct NewtonPoint {
 void evaluate(Objective& objective, const VecX& x, double relative_shift, NewtonPoint& point);
 
 /// point.step from point.gradient and point.hessian at x. May turn point.mode from predicted to exact.
-LinearStatus find_direction(Objective& objective, LinearSolver& solver, const VecX& x, double relative_shift,
+LinearStatus find_direction(Objective& objective, LinearSolver& solver, const VecX& x, const NewtonOptions& options,
                             NewtonPoint& point, NewtonReport& report);
 
 /// The same by conjugate gradients with the factor at hand, if there is one and a few iterations do.

@@ -22,7 +22,8 @@ class EnergyBudget {
     q_ = q;
     work_ += work;
     const double now = total();
-    worst_step_ = std::max(worst_step_, now - last_ - work);
+    rise_ = now - last_ - work;
+    worst_step_ = std::max(worst_step_, rise_);
     excess_ = std::max(excess_, now - start_ - work_);
     last_ = now;
     turnover_ = std::max({turnover_, std::abs(work_), stored_ + kinetic_, std::abs(now - start_)});
@@ -33,6 +34,8 @@ class EnergyBudget {
   double excess() const { return excess_ / turnover_; }
   /// The same of any one step.
   double worst_step() const { return worst_step_ / turnover_; }
+  /// Of the last step.
+  double last_rise() const { return turnover_ > 0.0 ? rise_ / turnover_ : 0.0; }
 
  private:
   double total() {
@@ -60,7 +63,7 @@ class EnergyBudget {
   Simulation& sim_;
   double stored_ = 0.0, kinetic_ = 0.0;  // at the last look [J]
   double start_, last_;                  // [J]
-  double work_ = 0.0, excess_ = 0.0, worst_step_ = 0.0, turnover_ = 0.0;
+  double work_ = 0.0, rise_ = 0.0, excess_ = 0.0, worst_step_ = 0.0, turnover_ = 0.0;
   VecX q_;
 };
 
