@@ -9,6 +9,7 @@
 #include "cli/exit_code.h"
 #include "cli/options.h"
 #include "cli/screen/text.h"
+#include "model/effect_list.h"
 #include "model/remarks.h"
 #include "sim/prepare.h"
 #include "study/choose_effects.h"
@@ -82,10 +83,13 @@ std::vector<std::string> all_remarks(const Scene& given) {
     remarks.push_back("effects.auto: the run begins by choosing which of these effects it needs");
   for (std::string& remark : remarks_on(scene)) remarks.push_back(std::move(remark));
   if (!scene.effects.colliders) return remarks;
-  Prepared prepared = prepare(scene);
+  Scene acting = scene;  // what cannot matter does no work on the fabric either
+  for (const IdleEffect& idle : idle_effects(scene))
+    if (idle.effect != "colliders") remove_effect(acting.effects, *find_effect(idle.effect));
+  Prepared prepared = prepare(acting);
   if (prepared.failure) return remarks;
   Simulation simulation(std::move(prepared.model));
-  for (const int i : colliders_out_of_reach(simulation, span_of(scene)))
+  for (const int i : colliders_out_of_reach(simulation, span_of(acting)))
     remarks.push_back("effects.colliders.colliders[" + std::to_string(i) +
                       "] cannot matter here: a bound on the energy shows that the fabric never reaches it");
   return remarks;

@@ -26,7 +26,7 @@ Distance distance_to_ball(double radius, const Vec3& p) { return distance_to(Sph
 BodyContact::BodyContact(const Model& model, SharedTouchParts parts) : parts_(std::move(parts)), bodies_(model.bodies) {
   if (bodies_.empty()) return;
   held_ = scripted_nodes(model);
-  paired_.assign(parts_->all_samples.size() * bodies_.size(), 0);
+  paired_.assign(static_cast<std::size_t>(parts_->all_samples.size()) * bodies_.size(), 0);
 }
 
 std::array<int, 9> BodyContact::coords_of(const Pair& pair) const {
@@ -66,21 +66,22 @@ void BodyContact::begin_step(const StepContext& step) {
   if (bodies_.empty()) return;
   const std::vector<Pair> before = std::exchange(pairs_, {});
   const long revision = revision_;
-  std::fill(paired_.begin(), paired_.end(), 0);
+  parts_->all_samples.follow(step.start.q);
+  paired_.assign(static_cast<std::size_t>(parts_->all_samples.size()) * bodies_.size(), 0);
   watch(step.start.q, step.start.v, kTouchReachOfMove * step.h);
   revision_ = pairs_ == before ? revision : revision + 1;
 }
 
-long BodyContact::search_bytes() const { return bytes_of(parts_->all_samples, bodies_, pairs_, paired_); }
+long BodyContact::search_bytes() const { return parts_->all_samples.bytes() + bytes_of(bodies_, pairs_, paired_); }
 
 void BodyContact::watch(const VecX& q, const VecX& dq, double a) {
   if (!bodies_.empty()) ++searches_;
   std::size_t at = 0;
-  for (int s = 0; s < static_cast<int>(parts_->all_samples.size()); ++s)
+  for (int s = 0; s < parts_->all_samples.size(); ++s)
     for (int b = 0; b < static_cast<int>(bodies_.size()); ++b, ++at) {
       const Pair pair{s, b};
       const double reach = touching(pair) + kTouchReach * parts_->radius + a * from_centre(pair, dq).norm();
-      if (paired_[at] || from_centre(pair, q).norm() > reach) continue;
+      if (paired_[at] || !sample(pair).in_use || from_centre(pair, q).norm() > reach) continue;
       paired_[at] = 1;
       pairs_.push_back(pair);
       ++revision_;

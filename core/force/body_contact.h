@@ -50,7 +50,7 @@ class BodyContact {
 
  private:
   const TouchSample& sample(const Pair& pair) const {
-    return parts_->all_samples[static_cast<std::size_t>(pair.sample)];
+    return parts_->all_samples[pair.sample];
   }
   double touching(const Pair& pair) const { return body(pair.body).radius_m + parts_->radius; }
   bool push_apart(const Pair& pair, VecX& q) const;

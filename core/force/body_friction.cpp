@@ -13,7 +13,7 @@ void BodyFriction::begin_step(const StepContext& step) {
   touches_ = step.start.body_touches;
   stencils_.clear();
   for (const Touch& touch : touches_) {
-    const TouchSample& sample = parts_->all_samples[static_cast<std::size_t>(touch.sample)];
+    const TouchSample& sample = parts_->all_samples[touch.sample];
     const Body& body = bodies_[static_cast<std::size_t>(touch.body)];
     Stencil& stencil = stencils_.emplace_back();
     std::copy(sample.coords.begin(), sample.coords.end(), stencil.coords.begin());

@@ -38,13 +38,15 @@ void ColliderContact::begin_step(const StepContext& step) {
   ++searches_;
   for (RigidBody& body : bodies_) body.move_to(step.start.t + step.h);
   std::vector<Pair> pairs;
-  clear_.assign(samples().size(), std::numeric_limits<double>::infinity());
-  start_.resize(samples().size());
-  for (int s = 0; s < static_cast<int>(samples().size()); ++s) {
+  parts_->samples.follow(step.start.q);
+  const auto num_samples = static_cast<std::size_t>(parts_->samples.size());
+  clear_.assign(num_samples, std::numeric_limits<double>::infinity());
+  start_.resize(num_samples);
+  for (int s = 0; s < parts_->samples.size(); ++s) {
+    if (!sample(s).in_use) continue;
     const auto i = static_cast<std::size_t>(s);
-    start_[i] = place_of(samples()[i], step.start.q);
-    const double reach =
-        kTouchReach * radius_ + kTouchReachOfMove * step.h * place_of(samples()[i], step.start.v).norm();
+    start_[i] = place_of(sample(s), step.start.q);
+    const double reach = kTouchReach * radius_ + kTouchReachOfMove * step.h * place_of(sample(s), step.start.v).norm();
     for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
       const double gap = body(b).distance(start_[i]).phi - radius_;
       if (gap <= reach)
@@ -58,7 +60,9 @@ void ColliderContact::begin_step(const StepContext& step) {
   ++revision_;
 }
 
-long ColliderContact::search_bytes() const { return bytes_of(parts_->samples, bodies_, pairs_, clear_, start_); }
+long ColliderContact::search_bytes() const {
+  return parts_->samples.bytes() + bytes_of(bodies_, pairs_, clear_, start_);
+}
 
 double ColliderContact::eval(int k, const Vec<6>& q, Vec<6>* g, Mat<6>* hess) const {
   const double share = sample_of(k).share;
@@ -94,9 +98,10 @@ double ColliderContact::keep_apart(const Pair& pair, const VecX& q, const VecX& 
 }
 
 double ColliderContact::max_step(const VecX& q, const VecX& dq, double a) const {
-  for (std::size_t i = 0; i < samples().size(); ++i) {
+  for (int s = 0; s < parts_->samples.size(); ++s) {
+    const auto i = static_cast<std::size_t>(s);
     if (!std::isfinite(clear_[i])) continue;
-    const double way = place_of(samples()[i], dq).norm(), gone = (place_of(samples()[i], q) - start_[i]).norm();
+    const double way = place_of(sample(s), dq).norm(), gone = (place_of(sample(s), q) - start_[i]).norm();
     if (gone + a * way > clear_[i]) a = std::max(0.0, clear_[i] - gone) / way;
   }
   for (const Pair& pair : pairs_) a = keep_apart(pair, q, dq, a);

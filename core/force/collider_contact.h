@@ -42,7 +42,7 @@ class ColliderContact {
   /// Moves points out of bodies that have moved over them, as far as handles allow.
   void push_out(const VecX& q0, VecX& q) const;
 
-  const TouchSample& sample(int i) const { return samples()[static_cast<std::size_t>(i)]; }
+  const TouchSample& sample(int i) const { return parts_->samples[i]; }
   const RigidBody& body(int i) const { return bodies_[static_cast<std::size_t>(i)]; }
   const std::vector<Pair>& pairs() const { return pairs_; }
   double gap(const Pair& pair, const VecX& q) const;
@@ -52,8 +52,6 @@ class ColliderContact {
   const TouchSample& sample_of(int k) const { return sample(pairs_[static_cast<std::size_t>(k)].sample); }
   double keep_apart(const Pair& pair, const VecX& q, const VecX& dq, double a) const;
   bool push_out_once(VecX& q) const;
-
-  const std::vector<TouchSample>& samples() const { return parts_->samples; }
 
   SharedTouchParts parts_;
   double radius_, depth_, k_;      // [m], [m], [N]

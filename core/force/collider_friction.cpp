@@ -16,7 +16,7 @@ void ColliderFriction::begin_step(const StepContext& step) {
   for (const Touch& touch : touches_) {
     const RigidBody& body = bodies_[static_cast<std::size_t>(touch.body)];
     const Vec3 anchor = body.to_space(touch.anchor);
-    stencils_.push_back({parts_->samples[static_cast<std::size_t>(touch.sample)],
+    stencils_.push_back({parts_->samples[touch.sample],
                          {anchor, body.distance(anchor).normal, parts_->k_t, body.friction() * touch.normal_force}});
   }
 }

@@ -18,8 +18,10 @@ constexpr double kStiffness = 1e-3;  // of EA
 constexpr double kDeepest = 0.1;     // overlap, of d and at most of R
 constexpr double kWatched = 0.5;     // radii beyond d from which pairs become stencils along with those that must
 constexpr double kMargin = 0.5;      // radii of relative motion that a search of boxes lasts for
-constexpr int kPatternReach = 3;     // courses and wales
-constexpr double kRoundOff = 1e-9;   // share of 2R by which yarns that are laid to touch may overlap
+constexpr double kGrown = 1.2, kShrunk = 3.0;  // times its length that a segment may be before it gets other points
+constexpr double kClosestPoints = 0.1;         // radii between two points of a segment, where yarn starts that close
+constexpr int kPatternReach = 3;               // courses and wales
+constexpr double kRoundOff = 1e-9;             // share of 2R by which yarns that are laid to touch may overlap
 constexpr int kMaxPushes = 100;
 constexpr double kKeep = 0.1;  // share of the way to the deepest overlap that one Newton step leaves
 
@@ -70,7 +72,8 @@ SelfCollision::SelfCollision(const Model& model) {
     Segment segment{i, {x0, x0 + 1, x0 + 2, x1, x1 + 1, x1 + 2}};
     for (std::size_t end : {0, 1})
       segment.held[end] = held[static_cast<std::size_t>(topology.visit_node[v + end])] != 0;
-    segment.pieces = 1 + static_cast<int>(std::ceil(rest_length(topology, i) / radius_));
+    segment.arc_coord = topology.arc_coord(i);
+    segment.sampled = rest_length(topology, i);
     segments_.push_back(segment);
   });
   if (segments_.empty()) return;
@@ -190,9 +193,28 @@ void SelfCollision::convex_hessian(int k, const Vec<12>& q, Mat<12>& hess) const
   });
 }
 
+int SelfCollision::pieces(const Segment& segment, double distance) const {
+  const double apart = std::clamp(distance, kClosestPoints * radius_, radius_);
+  return 1 + static_cast<int>(std::ceil(segment.sampled / apart));
+}
+
+/// Whether some segment has become so much longer or shorter, by sliding or stretching, that it wants other points.
+bool SelfCollision::follow(const VecX& q) {
+  bool changed = false;
+  for (Segment& segment : segments_) {
+    const double length = (q.segment<3>(segment.coords[3]) - q.segment<3>(segment.coords[0])).norm();
+    const double arc = std::max(length, q[segment.arc_coord + 1] - q[segment.arc_coord]);
+    const double least = std::max(segment.sampled, radius_);
+    if (arc <= kGrown * least && kShrunk * arc >= segment.sampled - radius_) continue;
+    segment.sampled = arc;
+    changed = true;
+  }
+  return changed;
+}
+
 void SelfCollision::add_pair(const NearSegments::Pair& near) {
-  pairs_.push_back({near.a, near.b, segments_[static_cast<std::size_t>(near.a)].pieces,
-                    segments_[static_cast<std::size_t>(near.b)].pieces, near.touch});
+  const Segment &a = segments_[static_cast<std::size_t>(near.a)], &b = segments_[static_cast<std::size_t>(near.b)];
+  pairs_.push_back({near.a, near.b, pieces(a, near.touch), pieces(b, near.touch), near.touch});
   taken_.insert(key(near.a, near.b));
 }
 
@@ -202,7 +224,10 @@ void SelfCollision::drop_idle(const VecX& q) {
                                 segments_[static_cast<std::size_t>(pair.b)].coords,
                                 q) > pair.distance + kWatched * radius_;
   });
-  if (2 * idle <= static_cast<long>(pairs_.size())) return;
+  if (2 * idle > static_cast<long>(pairs_.size())) forget_pairs();
+}
+
+void SelfCollision::forget_pairs() {
   pairs_.clear();
   taken_.clear();
   ++revision_;
@@ -210,7 +235,12 @@ void SelfCollision::drop_idle(const VecX& q) {
 
 void SelfCollision::begin_step(const StepContext& step) {
   if (segments_.empty()) return;
-  drop_idle(step.start.q);
+  divided_anew_ = follow(step.start.q);
+  if (divided_anew_) {
+    forget_pairs();
+  } else {
+    drop_idle(step.start.q);
+  }
   watch(step.start.q, step.start.q, 0.0);
 }
 
@@ -270,7 +300,7 @@ bool SelfCollision::push_apart(const Pair& pair, VecX& q) const {
 }
 
 void SelfCollision::push_out(const VecX& q0, VecX& q) {
-  if (segments_.empty() || q0 == q) return;
+  if (segments_.empty() || (q0 == q && !divided_anew_)) return;
   for (int i = 0; i < kMaxPushes; ++i) {
     watch(q0, q - q0, 1.0);
     bool moved = false;

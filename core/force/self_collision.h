@@ -48,14 +48,16 @@ class SelfCollision {
   double max_step(const VecX& q, const VecX& dq, double a) const;
   /// Pairs of segments that overlap at the start and are no neighbours in pattern or yarn; handles may hold one of them.
   int start_overlaps() const { return start_overlaps_; }
-  /// Moves yarn out of yarn that handles have moved from q0 into it, as far as handles allow.
+  /// Moves yarn out of yarn that handles have moved from q0 into it, or that new points find it in, as far as handles
+  /// allow.
   void push_out(const VecX& q0, VecX& q);
 
  private:
   struct Segment {
     int visit = 0;
     std::array<int, 6> coords;   // x0, x1
-    int pieces = 1;              // with a point in the middle of each; for ever, or a rest could become forbidden
+    int arc_coord = 0;           // of u0; u1 is the next
+    double sampled = 0.0;        // length of yarn that its points were last chosen for [m]
     std::array<bool, 2> held{};  // by handles, at either end
   };
   struct Pair {
@@ -70,6 +72,9 @@ class SelfCollision {
   bool can_touch(int a, int b) const;
   double contact_distance(int a, int b) const;
   long key(int a, int b) const { return static_cast<long>(a) * static_cast<long>(segments_.size()) + b; }
+  bool follow(const VecX& q);
+  int pieces(const Segment& segment, double distance) const;
+  void forget_pairs();
   void drop_idle(const VecX& q);
   void add_pair(const NearSegments::Pair& near);
   bool push_apart(const Pair& pair, VecX& q) const;
@@ -87,6 +92,7 @@ class SelfCollision {
   std::vector<Pair> pairs_;
   std::unordered_set<long> taken_;  // keys of pairs_
   long revision_ = 0;
+  bool divided_anew_ = false;  // in this step: new points may begin where old ones would not have let them
 };
 static_assert(ForceTerm<SelfCollision>);
 

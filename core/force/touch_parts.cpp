@@ -31,9 +31,10 @@ SharedTouchParts touch_parts(const Model& model) {
   parts->k_t = effect->stick_stiffness_n_per_m;
   for (const Collider& collider : effect->colliders)
     if (!collider.dynamic) parts->bodies.emplace_back(collider);
-  if (!parts->bodies.empty()) parts->samples = touch_samples(model, 2.0 * parts->radius, TouchPoints::free);
+  if (!parts->bodies.empty()) parts->samples = TouchSamples(model, 2.0 * parts->radius, TouchPoints::free);
   if (!model.bodies.empty())
-    parts->all_samples = touch_samples(model, spacing_for(model.bodies, parts->radius), TouchPoints::all);
+    parts->all_samples =
+        TouchSamples(model, spacing_for(model.bodies, parts->radius), TouchPoints::all);
   return parts;
 }
 

@@ -13,12 +13,39 @@ struct TouchSample {
   int visit = 0;
   double share = 0.0;           // in [0, 1]
   std::array<int, 6> coords{};  // x0, x1
+  bool in_use = true;           // false: others have taken its place
 };
 
 enum class TouchPoints { free, all };  // free: without those that handles move, which go where the script says
 
 /// Every node once, and points between the nodes of every owned segment, at most `spacing` [m] apart at rest.
-std::vector<TouchSample> touch_samples(const Model& model, double spacing, TouchPoints points);
+class TouchSamples {
+ public:
+  TouchSamples() = default;
+  TouchSamples(const Model& model, double spacing, TouchPoints points);
+
+  const TouchSample& operator[](int i) const { return samples_[static_cast<std::size_t>(i)]; }
+  int size() const { return static_cast<int>(samples_.size()); }
+  bool empty() const { return samples_.empty(); }
+
+  /// Replaces the points of segments that have become so long since, by sliding or stretching, that theirs are more than
+  /// 1.2 spacings apart; or that need no third of theirs. Indices stay those of the same points; new ones come last.
+  void follow(const VecX& q);
+  long bytes() const;
+
+ private:
+  struct Segment {
+    int visit = 0, arc_coord = 0;  // of u0; u1 is the next
+    std::array<int, 6> coords{};
+    int pieces = 0, first = 0;  // points 1 .. pieces - 1 of them, from index `first` on
+  };
+  void divide(Segment& segment, int pieces);
+  int pieces_for(double arc) const;
+
+  double spacing_ = 0.0;
+  std::vector<Segment> segments_;  // those that have points between their nodes, or may have
+  std::vector<TouchSample> samples_;
+};
 
 inline Vec3 place_of(const TouchSample& sample, const VecX& q) {
   return (1.0 - sample.share) * q.segment<3>(sample.coords[0]) + sample.share * q.segment<3>(sample.coords[3]);

@@ -20,7 +20,7 @@ struct State {
   VecX q;          // positions and arc lengths [m] (num_coords)
   VecX v;          // dq/dt of the last step [m/s] (num_coords)
   VecX p;          // generalised momentum M v [kg m/s] (num_coords)
-  VecX anchor;     // friction anchors, arc length [m] (num_visits); follows q where friction is off
+  VecX anchor;     // friction anchors, arc length [m] (num_visits); empty without friction
   VecX set_angle;  // rest angle of the bend at every visit [rad] (num_visits); empty without plasticity
   std::vector<Touch> touches;            // on colliders that are not dynamic, ascending in sample, then body
   std::vector<Touch> body_touches = {};  // on dynamic ones, likewise

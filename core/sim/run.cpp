@@ -10,6 +10,7 @@
 #include "model/check_values.h"
 #include "model/effect_list.h"
 #include "sim/describe_place.h"
+#include "sim/longest_step.h"
 #include "sim/monitor.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
@@ -57,9 +58,7 @@ class Run {
   }
 
  private:
-  double wall() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
   RunSummary finish(RunStatus status, const std::string& message) {
     summary_.status = status;
@@ -140,9 +139,9 @@ class Run {
   }
 
   std::string why_not(const Simulation& sim, const StepReport& report) const {
-    std::string why = "no step above " + number_text(numerics_.smallest_step_s) + " s converges at t = " +
-                      short_time(sim.state().t) + " s: " +
-                      (report.at_arc_floor ? "a segment loses its yarn" : std::string(to_string(report.newton.status)));
+    std::string why =
+        "no step above " + number_text(numerics_.smallest_step_s) + " s converges at t = " + short_time(sim.state().t) +
+        " s: " + (report.at_arc_floor ? "a segment loses its yarn" : std::string(to_string(report.newton.status)));
     if (report.worst_coord < 0) return why;
     why += ", worst at " + describe_coordinate(sim.model().topology, report.worst_coord);
     return report.worst_term.empty() ? why : why + ", where the largest force is that of " + report.worst_term;
@@ -156,7 +155,8 @@ class Run {
     if (step_ == 0.0) step_ = largest;
     while (end - sim.state().t > 1e-9 * frame) {
       const double remaining = end - sim.state().t;
-      const double h = remaining / std::ceil(remaining / std::min(step_, largest) - 1e-6);
+      const double wanted = longest_step(sim, std::min({step_, largest, remaining}));
+      const double h = remaining / std::ceil(remaining / wanted - 1e-6);
       const StepReport report = sim.step(h, numerics_, hooks_.should_stop);
       summary_.newton_iterations += report.newton.iterations;
       summary_.factorizations += report.newton.factorizations;

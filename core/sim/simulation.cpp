@@ -49,7 +49,7 @@ State start_state(const Model& model, const YarnForces& forces) {
   state.v = model.start_v;
   state.p = term_of<Inertia>(forces).momentum(state.q, state.v);
   term_of<BodyInertia>(forces).put_momentum(state.v, state.p);
-  state.anchor = state.q.tail(model.topology.num_visits());
+  if (term_of<SlidingFriction>(forces).size() > 0) state.anchor = state.q.tail(model.topology.num_visits());
   if (model.effects.plasticity) state.set_angle = VecX::Zero(model.topology.num_visits());
   return state;
 }
@@ -162,11 +162,7 @@ void Simulation::accept(double h, const VecX& q) {
   state_.v = v;
   state_.q = q;
   state_.t += h;
-  if (friction.size() > 0) {
-    friction.drag_anchors(q, state_.anchor);
-  } else {
-    state_.anchor = q.tail(model_.topology.num_visits());
-  }
+  if (friction.size() > 0) friction.drag_anchors(q, state_.anchor);
 }
 
 std::map<std::string, double> Simulation::energies() {

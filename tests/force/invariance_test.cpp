@@ -37,7 +37,10 @@ struct Evaluated {
   }
   double unit() const { return 8 * static_cast<double>(s.q.size()) * kEpsilon; }
   // Rounding of the energy and of the gradient when coordinates of size `size` are rounded.
-  double energy_noise(double size) const { return unit() * (std::abs(V) + g.norm() * size); }
+  double energy_noise(double size) const {
+    const double rounded = unit() * size;
+    return unit() * std::abs(V) + rounded * (g.norm() + rounded * hess.norm());
+  }
   double gradient_noise(double size) const { return unit() * (g.norm() + hess.norm() * size); }
 };
 

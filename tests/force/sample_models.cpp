@@ -125,12 +125,12 @@ State state_at(const Model& model, const VecX& q, std::mt19937_64& random) {
       return Vec3(place_of(sample, q) + 0.02 * kMm * Vec3(normal(random), normal(random), normal(random)));
     };
     const auto parts = touch_parts(model);
-    for (int i = 0; i < static_cast<int>(parts->samples.size()); ++i)
-      state.touches.push_back({i, i % 3, anchor(parts->samples[static_cast<std::size_t>(i)]), 1e-2});
-    for (int i = 0; i < static_cast<int>(parts->all_samples.size()); ++i) {
+    for (int i = 0; i < parts->samples.size(); ++i)
+      state.touches.push_back({i, i % 3, anchor(parts->samples[i]), 1e-2});
+    for (int i = 0; i < parts->all_samples.size(); ++i) {
       const Vec3 centre = q.segment<3>(3 * model.bodies[0].node);
       state.body_touches.push_back(
-          {i, 0, anchor(parts->all_samples[static_cast<std::size_t>(i)]) - centre, i % 2 == 0 ? 1.0 : 1e-4});
+          {i, 0, anchor(parts->all_samples[i]) - centre, i % 2 == 0 ? 1.0 : 1e-4});
     }
   }
   std::uniform_real_distribution<double> angle(0.0, 1.5);

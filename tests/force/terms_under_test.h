@@ -44,11 +44,10 @@ struct Sample {
   int order = 0;
 };
 
-/// Every stencil of the term on the clasped yarns, at every sample pose that it does not forbid. At least one must act.
+/// Every stencil of the term of a model, at every sample pose that it does not forbid. At least one must act.
 template <class Term>
-void for_each_sample(const std::function<void(const Sample&)>& visit) {
+void for_each_sample_of(const Model& model, const std::function<void(const Sample&)>& visit) {
   constexpr int N = Term::kSize;
-  const Model model = everything_on();
   std::mt19937_64 random(7);
   const State start = state_at(model, model.start_q, random);
   Term term(model);
@@ -82,6 +81,17 @@ void for_each_sample(const std::function<void(const Sample&)>& visit) {
     }
   }
   EXPECT_GE(acting, 10);
+}
+
+/// On the clasped yarns with every effect; of bending also without plasticity, which puts another energy in its place.
+template <class Term>
+void for_each_sample(const std::function<void(const Sample&)>& visit) {
+  Model model = everything_on();
+  for_each_sample_of<Term>(model, visit);
+  if constexpr (std::is_same_v<Term, Bending>) {
+    model.effects.plasticity.reset();
+    for_each_sample_of<Term>(model, visit);
+  }
 }
 
 }  // namespace slipstitch::testing

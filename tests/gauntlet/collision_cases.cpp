@@ -48,14 +48,16 @@ GauntletCase fast_sphere() {
 }
 
 GauntletCase slippery_and_rough() {
-  GauntletCase item = named("friction-0-and-10", "falls onto two slopes, one without friction and one with ten", lying(6, 6, 9e-3));
+  GauntletCase item =
+      named("friction-0-and-10", "falls onto two slopes, one without friction and one with ten", lying(6, 6, 9e-3));
   put(item.scene, {body(Plane{{6e-3, 0, 0}, {1, 2, 0}}, 0.0), body(Plane{{6e-3, 0, 0}, {-1, 2, 0}}, 10.0)});
   item.about_motion = true;
   return item;
 }
 
 GauntletCase light_sphere() {
-  GauntletCase item = named("mass-ratio-1e-6", "a sphere of a millionth of the fabric's mass lies on it", lying(6, 6, 0.0));
+  GauntletCase item =
+      named("mass-ratio-1e-6", "a sphere of a millionth of the fabric's mass lies on it", lying(6, 6, 0.0));
   item.scene.handles = {pin(Edge::top), pin(Edge::bottom)};
   Collider ball = body(Sphere{{6e-3, 5e-3, -6e-3}, 3e-3});
   ball.dynamic = DynamicBody{2e-11};
@@ -65,7 +67,8 @@ GauntletCase light_sphere() {
 }
 
 GauntletCase heavy_sphere() {
-  GauntletCase item = named("mass-ratio-1e6", "a sphere a million times as heavy as a node lies in it", lying(8, 8, 0.0));
+  GauntletCase item =
+      named("mass-ratio-1e6", "a sphere a million times as heavy as a node lies in it", lying(8, 8, 0.0));
   item.scene.handles = {pin(Edge::top), pin(Edge::bottom), pin(Edge::left), pin(Edge::right)};
   Collider ball = body(Sphere{{8e-3, 4.2e-3, -8e-3}, 3e-3});
   ball.dynamic = DynamicBody{0.15};

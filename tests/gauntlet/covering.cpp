@@ -58,9 +58,8 @@ std::vector<Row> pairwise_covering(const std::vector<int>& levels) {
   std::vector<Row> rows;
   for (int first = 0; first < levels[0]; ++first) {
     const auto mine = [&] {
-      return std::any_of(open.begin(), open.end(), [&](const Pair& pair) {
-        return std::get<0>(pair) == 0 && std::get<1>(pair) == first;
-      });
+      return std::any_of(open.begin(), open.end(),
+                         [&](const Pair& pair) { return std::get<0>(pair) == 0 && std::get<1>(pair) == first; });
     };
     const bool last = first + 1 == levels[0];
     while (mine() || (last && !open.empty())) {

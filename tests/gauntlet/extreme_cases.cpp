@@ -23,7 +23,8 @@ GauntletCase stiff_in_bending() {
 }
 
 GauntletCase heavy() {
-  GauntletCase item = named("gravity-times-1000", "hangs by two corners under a thousand times its weight", swatch(6, 6));
+  GauntletCase item =
+      named("gravity-times-1000", "hangs by two corners under a thousand times its weight", swatch(6, 6));
   hang(item.scene);
   item.scene.effects.gravity->acceleration_m_per_s2 *= 1000.0;
   item.limits.max_stretch = 3.0;

@@ -54,8 +54,8 @@ struct CellResult {
   std::string why;  // of a refusal or a failure
   std::vector<Reading> readings;
   RunSummary summary;
-  long passages = 0;       // of yarn through yarn that is no neighbour
-  long energy_rises = 0;   // steps in which more energy came up than work was done
+  long passages = 0;      // of yarn through yarn that is no neighbour
+  long energy_rises = 0;  // steps in which more energy came up than work was done
   double end_speed_m_per_s = 0.0;
 };
 

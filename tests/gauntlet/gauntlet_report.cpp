@@ -59,13 +59,14 @@ std::vector<CaseRow> by_case(std::span<const CellRow> rows) {
 
 std::string case_table(std::span<const CellRow> rows) {
   std::string text =
-      "| case | what | pass | cut | refused | fail | worst invariant | cut steps | indefinite | ridge | fade | rises |\n"
+      "| case | what | pass | cut | refused | fail | worst invariant | cut steps | indefinite | ridge | fade | rises "
+      "|\n"
       "|---|---|---:|---:|---:|---:|---|---:|---:|---:|---:|---:|\n";
   for (const CaseRow& row : by_case(rows))
-    text += formatted("| %s | %s | %d | %d | %d | %d | %s %.2g | %ld | %ld | %ld | %ld | %ld |\n", row.item->name.c_str(),
-                      row.item->about.c_str(), row.outcomes[0], row.outcomes[1], row.outcomes[2], row.outcomes[3],
-                      row.worst.invariant.c_str(), row.worst.share, row.rejected, row.convex, row.ridge, row.fade,
-                      row.rises);
+    text += formatted("| %s | %s | %d | %d | %d | %d | %s %.2g | %ld | %ld | %ld | %ld | %ld |\n",
+                      row.item->name.c_str(), row.item->about.c_str(), row.outcomes[0], row.outcomes[1],
+                      row.outcomes[2], row.outcomes[3], row.worst.invariant.c_str(), row.worst.share, row.rejected,
+                      row.convex, row.ridge, row.fade, row.rises);
   return text;
 }
 
@@ -74,12 +75,12 @@ std::string case_table(std::span<const CellRow> rows) {
 std::string terminal_line(const CellRow& row) {
   const RunSummary& s = row.result.summary;
   const Reading& worst = worst_reading(row.result);
-  std::string line =
-      formatted("%-8s %-24s %-46s %5ld steps %4ld cut %6ld Newton %5ld convex %6.1f s  %s %.2g  ridge %ld fade %ld rises %ld",
-                std::string(to_string(row.result.outcome)).c_str(), row.item->name.c_str(),
-                settings_text(row.cell.settings).c_str(), s.steps, s.rejected_steps, s.newton_iterations,
-                s.convex_hessians, row.wall_s, worst.invariant.c_str(), worst.share, s.wrap_ridge_entries.value_or(0),
-                s.wrap_fade_entries.value_or(0), row.result.energy_rises);
+  std::string line = formatted(
+      "%-8s %-24s %-46s %5ld steps %4ld cut %6ld Newton %5ld convex %6.1f s  %s %.2g  ridge %ld fade %ld rises %ld",
+      std::string(to_string(row.result.outcome)).c_str(), row.item->name.c_str(),
+      settings_text(row.cell.settings).c_str(), s.steps, s.rejected_steps, s.newton_iterations, s.convex_hessians,
+      row.wall_s, worst.invariant.c_str(), worst.share, s.wrap_ridge_entries.value_or(0),
+      s.wrap_fade_entries.value_or(0), row.result.energy_rises);
   if (!row.result.why.empty()) line += "\n         " + row.result.why;
   return line;
 }
@@ -88,8 +89,8 @@ std::string stability_markdown(std::span<const CellRow> rows, const std::string&
   std::array<int, 4> outcomes{};
   for (const CellRow& row : rows) ++outcomes[static_cast<std::size_t>(row.result.outcome)];
   std::string text = "# Hard cases, and what holds in them\n\nMade by `" + command + "`; do not edit.\n\n";
-  text += formatted("%zu cells: %d pass, %d pass with steps cut, %d are refused, %d fail.\n\n", rows.size(), outcomes[0],
-                    outcomes[1], outcomes[2], outcomes[3]);
+  text += formatted("%zu cells: %d pass, %d pass with steps cut, %d are refused, %d fail.\n\n", rows.size(),
+                    outcomes[0], outcomes[1], outcomes[2], outcomes[3]);
   text += "Checked at every accepted step of every cell, as a share of what is allowed (above 1: broken):\n\n";
   for (const Invariant& invariant : invariants())
     text += std::string("- **") + invariant.name + "**: " + invariant.meaning + "\n";
@@ -102,8 +103,9 @@ std::string stability_markdown(std::span<const CellRow> rows, const std::string&
 }
 
 std::string stability_csv(std::span<const CellRow> rows) {
-  std::string text = "case,settings,outcome,steps,rejected_steps,newton_iterations,convex_hessians,max_stretch,"
-                     "ridge_entries,fade_entries,passages,energy_rises,end_speed_m_per_s";
+  std::string text =
+      "case,settings,outcome,steps,rejected_steps,newton_iterations,convex_hessians,max_stretch,"
+      "ridge_entries,fade_entries,passages,energy_rises,end_speed_m_per_s";
   for (const Invariant& invariant : invariants()) text += std::string(",") + invariant.name;
   text += "\n";
   for (const CellRow& row : rows) {

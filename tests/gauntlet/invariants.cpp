@@ -43,9 +43,7 @@ double finite(const AcceptedStep& step, const Limits&) {
   return s.q.allFinite() && s.v.allFinite() && s.p.allFinite() && s.anchor.allFinite() ? 0.0 : kBroken;
 }
 
-double arc(const Topology&, const VecX& q, const std::array<int, 8>& c) {
-  return q[c[7]] - q[c[3]];
-}
+double arc(const Topology&, const VecX& q, const std::array<int, 8>& c) { return q[c[7]] - q[c[3]]; }
 
 double order(const AcceptedStep& step, const Limits&) {
   const Topology& topology = step.sim.model().topology;
@@ -53,7 +51,8 @@ double order(const AcceptedStep& step, const Limits&) {
   for_each_owned_segment(topology, [&](int, int i) {
     const auto c = segment_coords(topology, i);
     const double now = arc(topology, step.after.q, c);
-    const double floor = std::min(kLeastArc * rest_length(topology, i), kLeastOfAStep * arc(topology, step.before.q, c));
+    const double floor =
+        std::min(kLeastArc * rest_length(topology, i), kLeastOfAStep * arc(topology, step.before.q, c));
     worst = std::max(worst, now > 0.0 ? floor / now : kBroken);
   });
   return worst;
@@ -109,7 +108,8 @@ double momentum(const AcceptedStep& step, const Limits&) {
 
 constexpr std::array kInvariants{
     Invariant{"finite", "every number of the state is finite", finite},
-    Invariant{"order", "arc length grows along every yarn, by a thousandth of its rest length or half of what it was", order},
+    Invariant{"order", "arc length grows along every yarn, by a thousandth of its rest length or half of what it was",
+              order},
     Invariant{"stretch", "no segment is stretched more than the case's load can", stretch},
     Invariant{"descent", "V+ + 1/2 |v+ - v|^2_M <= V + 1/2 |v|^2_M + work, to 1e-12 of the energies summed", descent},
     Invariant{"momentum", "momentum changes by what weight, loads, air, bodies and supports give", momentum},

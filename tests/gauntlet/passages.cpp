@@ -9,7 +9,7 @@
 namespace slipstitch::gauntlet {
 namespace {
 
-constexpr int kPieces = 16;      // of a step, in each of which two segments pass through each other at most once
+constexpr int kPieces = 16;  // of a step, in each of which two segments pass through each other at most once
 constexpr int kBisections = 60;
 
 using Four = std::array<Vec3, 4>;  // ends of two segments

@@ -98,10 +98,14 @@ std::string broken_at_the_end(const GauntletCase& item, const Settings& settings
 
 std::string_view to_string(Outcome outcome) {
   switch (outcome) {
-    case Outcome::passed: return "pass";
-    case Outcome::cut: return "cut";
-    case Outcome::refused: return "refused";
-    case Outcome::failed: return "fail";
+    case Outcome::passed:
+      return "pass";
+    case Outcome::cut:
+      return "cut";
+    case Outcome::refused:
+      return "refused";
+    case Outcome::failed:
+      return "fail";
   }
   return "unknown";
 }
@@ -145,15 +149,13 @@ CellResult run_cell(const GauntletCase& item, const Settings& settings) {
   const long budget = static_cast<long>(static_cast<double>(item.limits.max_steps) * effort_factor(settings));
   long asked = 0;  // about once a Newton iteration
   const double most = 2.0 * static_cast<double>(item.limits.max_newton) * effort_factor(settings);
-  hooks.should_stop = [&] {
-    return steps > budget || static_cast<double>(++asked) > most;
-  };
+  hooks.should_stop = [&] { return steps > budget || static_cast<double>(++asked) > most; };
   result.summary = run(scene, 1, hooks);
   result.end_speed_m_per_s = largest_speed(watch.last(), result.summary.nodes);
   for (const Reading& reading : result.readings)
     if (!(reading.share <= 1.0))
-      result.why = reading.invariant + " broken, " + number_text(reading.share) + " of what is allowed, at t = " +
-                   number_text(reading.t) + " s";
+      result.why = reading.invariant + " broken, " + number_text(reading.share) +
+                   " of what is allowed, at t = " + number_text(reading.t) + " s";
   if (!result.why.empty()) return result;
   const RunSummary& summary = result.summary;
   if (summary.status == RunStatus::failed) {
@@ -163,8 +165,8 @@ CellResult run_cell(const GauntletCase& item, const Settings& settings) {
   }
   if (summary.status == RunStatus::cancelled) {
     result.why = "not at its end after " + std::to_string(summary.steps) + " steps and " +
-                 std::to_string(summary.newton_iterations) + " Newton iterations, at t = " +
-                 number_text(summary.sim_time_s) + " s";
+                 std::to_string(summary.newton_iterations) +
+                 " Newton iterations, at t = " + number_text(summary.sim_time_s) + " s";
     return result;
   }
   result.why = broken_at_the_end(item, settings, result, *watch.budget());

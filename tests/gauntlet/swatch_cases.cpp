@@ -51,7 +51,8 @@ GauntletCase shaken() {
 }
 
 GauntletCase noise() {
-  GauntletCase item = named("noise-of-half-a-stitch", "every node begins up to half a stitch from its place", swatch(6, 6));
+  GauntletCase item =
+      named("noise-of-half-a-stitch", "every node begins up to half a stitch from its place", swatch(6, 6));
   item.scene.knit->noise_m = 1e-3;
   item.limits.max_stretch = 12.0;
   item.limits.isolated = true;
@@ -61,9 +62,8 @@ GauntletCase noise() {
 GauntletCase inside_out() {
   GauntletCase item = named("folded-inside-out", "begins folded in half, its right side inside", swatch(8, 6));
   const double middle = 4 * 2.03e-3;
-  item.change = placed([middle](const Vec3& x) {
-    return x.y() <= middle ? x : Vec3(x.x(), 2.0 * middle - x.y(), x.z() + 6e-3);
-  });
+  item.change =
+      placed([middle](const Vec3& x) { return x.y() <= middle ? x : Vec3(x.x(), 2.0 * middle - x.y(), x.z() + 6e-3); });
   item.limits.max_stretch = 12.0;
   item.limits.isolated = true;
   return item;
@@ -71,7 +71,8 @@ GauntletCase inside_out() {
 
 /// The relaxed swatch as it lies, nudged.
 GauntletCase rest() {
-  GauntletCase item = named("kicked-rest", "a relaxed swatch after a kick of a thousandth of the radius a step", swatch(5, 5));
+  GauntletCase item =
+      named("kicked-rest", "a relaxed swatch after a kick of a thousandth of the radius a step", swatch(5, 5));
   item.scene.initial_velocities = {{Corner::top_left, {0, 0, 1e-3 * 0.524e-3 * 240}}};
   item.limits.isolated = true;
   return item;
@@ -88,8 +89,15 @@ GauntletCase creeping() {
 }  // namespace
 
 std::vector<GauntletCase> swatch_cases() {
-  return {stretched_and_released(), stretched(), compressed(),  twisted(), shaken(),
-          noise(),                  inside_out(), rest(), creeping()};
+  return {stretched_and_released(),
+          stretched(),
+          compressed(),
+          twisted(),
+          shaken(),
+          noise(),
+          inside_out(),
+          rest(),
+          creeping()};
 }
 
 }  // namespace slipstitch::gauntlet

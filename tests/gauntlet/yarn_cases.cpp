@@ -15,7 +15,8 @@ BareYarn straight(const Vec3& from, const Vec3& to, int pieces) {
 
 /// Two yarns that cross a third, one of them loaded along it until it meets the other.
 GauntletCase slide_into_neighbour() {
-  GauntletCase item = named("slide-into-neighbour", "a crossing that a load drives along its yarn into the next crossing", {});
+  GauntletCase item =
+      named("slide-into-neighbour", "a crossing that a load drives along its yarn into the next crossing", {});
   Scene& scene = item.scene;
   scene.yarns = {straight({-0.02, 0, 0}, {0.02, 0, 0}, 8), straight({-0.005, 0, -0.02}, {-0.005, 0, 0.02}, 8),
                  straight({0, 0, -0.02}, {0, 0, 0.02}, 8)};
@@ -65,7 +66,8 @@ GauntletCase pulled_through() {
 }
 
 GauntletCase pulled_loop() {
-  GauntletCase item = named("pulled-loop", "a corner loop drawn out far beyond the yarn that it can take in", swatch(4, 4));
+  GauntletCase item =
+      named("pulled-loop", "a corner loop drawn out far beyond the yarn that it can take in", swatch(4, 4));
   item.scene.effects.sliding_friction.reset();
   item.scene.handles = {pin(Edge::top), pin(Corner::bottom_left)};
   item.scene.handles[1].velocity_m_per_s = Vec3(-0.1, -0.2, 0.0);
@@ -76,7 +78,8 @@ GauntletCase pulled_loop() {
 }
 
 GauntletCase selvedge_corner() {
-  GauntletCase item = named("selvedge-corner", "the corner with missing neighbours is pulled out of the plane", swatch(5, 5));
+  GauntletCase item =
+      named("selvedge-corner", "the corner with missing neighbours is pulled out of the plane", swatch(5, 5));
   item.scene.handles = {pin(Edge::top), pin(Corner::bottom_right)};
   item.scene.handles[1].motion = {{0.1, {2e-3, -2e-3, 6e-3}, Vec3::Zero()}};
   return item;
@@ -84,7 +87,8 @@ GauntletCase selvedge_corner() {
 
 /// A yarn with a point that has no length of yarn to either side: D -> 0 from the start.
 GauntletCase crowded_yarn() {
-  GauntletCase item = named("crowded-yarn", "segments from a hundred thousandth to all of their neighbour's length", {});
+  GauntletCase item =
+      named("crowded-yarn", "segments from a hundred thousandth to all of their neighbour's length", {});
   BareYarn yarn;
   double x = 0.0;
   for (int i = 0; i < 12; ++i) {

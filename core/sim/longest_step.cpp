@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "sim/longest_step.h"
+
+#include <algorithm>
+
+#include "force/collider_contact.h"
+
+namespace slipstitch {
+namespace {
+
+/// Way of the body's point at p from one time to another.
+double way_at(const RigidBody& from, const RigidBody& to, const Vec3& p) {
+  return (to.to_space(from.to_body(p)) - p).norm();
+}
+
+double farthest_body_way(const Simulation& sim, double h) {
+  const auto& colliders = sim.model().effects.colliders;
+  if (!colliders) return 0.0;
+  const VecX& q = sim.state().q;
+  const double radius = sim.model().yarn.radius_m;
+  const TouchSamples& samples = term_of<ColliderContact>(sim.forces()).parts()->samples;
+  double farthest = 0.0;
+  for (const Collider& collider : colliders->colliders) {
+    if (collider.motion.empty()) continue;
+    RigidBody from(collider), to(collider);
+    from.move_to(sim.state().t);
+    to.move_to(sim.state().t + h);
+    for (int i = 0; i < samples.size(); ++i) {
+      const Vec3 p = place_of(samples[i], q);
+      const double way = way_at(from, to, p);
+      if (way > std::max(farthest, radius) && from.distance(p).phi < 2.0 * (way + radius)) farthest = way;
+    }
+  }
+  return farthest;
+}
+
+double farthest_handle_way(const Simulation& sim, double h) {
+  const Model& model = sim.model();
+  if (!model.effects.self_collision && model.bodies.empty()) return 0.0;
+  VecX moved = sim.state().q;
+  apply_scripts(model, sim.state().t + h, moved);
+  double farthest = 0.0;
+  for (const ScriptedNodes& handle : model.handles)
+    for (const int n : handle.nodes) farthest = std::max(farthest, (moved - sim.state().q).segment<3>(3 * n).norm());
+  return farthest;
+}
+
+}  // namespace
+
+double longest_step(const Simulation& sim, double h) {
+  const double way = std::max(farthest_body_way(sim, h), farthest_handle_way(sim, h));
+  const double radius = sim.model().yarn.radius_m;
+  return way > radius ? h * radius / way : h;
+}
+
+}  // namespace slipstitch
