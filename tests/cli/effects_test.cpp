@@ -76,6 +76,12 @@ TEST_F(EffectsCommand, ValidateNamesBodiesThatAreNeverReached) {
   };
   EXPECT_NE(validated("-5").find("colliders[0] cannot matter here"), std::string::npos) << validated("-5");
   EXPECT_EQ(validated("-0.04").find("cannot matter"), std::string::npos);
+  const std::string both = slipstitch({"validate", scene(), "--set", "effects.air_drag={}", "--set", "effects.wind={}",
+                                       "--set",
+                                       "effects.colliders={\"colliders\": [{\"plane\": {\"point_m\": [0, -5, 0]}}]}"})
+                               .out;
+  EXPECT_NE(both.find("wind cannot matter here"), std::string::npos) << both;
+  EXPECT_NE(both.find("colliders[0] cannot matter here"), std::string::npos) << both;  // still air does no work
 }
 
 TEST_F(EffectsCommand, TheChoiceIsMadeOnRequestAndReported) {

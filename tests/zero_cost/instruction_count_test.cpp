@@ -12,14 +12,18 @@ namespace {
 
 constexpr double kAllowed = 0.005;  // of the count
 
-/// Instructions that a program takes in its time steps, relaxation and start-up left out.
-long steps_instructions(const std::string& program) {
+/// Counts what a program takes in its time steps, relaxation and start-up left out; returns callgrind's own words.
+std::string count_steps(const std::string& program, const std::string& profile) {
   const std::string text = output_of(
       // kernels that callgrind can execute, and the same ones whatever the CPU
-      "OPENBLAS_CORETYPE=Haswell OPENBLAS_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file=/dev/null "
-      "--toggle-collect='slipstitch::Simulation::step(*' " +
-      in_bin(program) + " 0.0125 2>&1");
+      "OPENBLAS_CORETYPE=Haswell OPENBLAS_NUM_THREADS=1 valgrind --tool=callgrind --callgrind-out-file=" + profile +
+      " --toggle-collect='slipstitch::Simulation::step(*' " + in_bin(program) + " 0.0125 2>&1");
   EXPECT_NE(text.find("succeeded"), std::string::npos) << text;
+  return text;
+}
+
+long steps_instructions(const std::string& program) {
+  const std::string text = count_steps(program, "/dev/null");
   const std::size_t at = text.find("Collected : ");
   long count = 0;
   EXPECT_TRUE(at != std::string::npos && std::sscanf(text.c_str() + at, "Collected : %ld", &count) == 1) << text;
@@ -34,6 +38,20 @@ TEST(ZeroCost, TheTermsThatAreOffTakeNoInstructions) {
   EXPECT_LE(std::abs(share), kAllowed);
   EXPECT_EQ(steps_instructions("swatch_run_all_terms"), all) << "the count depends on more than the program";
   EXPECT_EQ(steps_instructions("swatch_run_listed_terms"), listed) << "the count depends on more than the program";
+}
+
+// Some effects act inside the terms of others, and have none that a list could leave out.
+TEST(ZeroCost, NoFunctionOfAnEffectThatIsOffIsCalled) {
+  const std::string profile = ::testing::TempDir() + "slipstitch_called.out";
+  count_steps("swatch_run_all_terms", profile);
+  const std::string called = output_of("grep -h '^c\\?fn=' " + profile);
+  const std::string known = output_of("nm -C " + in_bin("swatch_run_all_terms"));
+  EXPECT_NE(called.find("slipstitch::Stretch::eval("), std::string::npos) << "the profile names no functions";
+  for (const char* off : {"set_bending_energy(", "convex_set_bending(", "crept_set(", "scale_arc_rows(", "air_velocity(",
+                          "NearSegments::cover(", "RigidBody::distance(", "estimate_normal_forces("}) {
+    EXPECT_NE(known.find(off), std::string::npos) << off << " is not the name of a function";
+    EXPECT_EQ(called.find(off), std::string::npos) << off;
+  }
 }
 
 }  // namespace
