@@ -66,7 +66,12 @@ void BodyContact::begin_step(const StepContext& step) {
   if (bodies_.empty()) return;
   const std::vector<Pair> before = std::exchange(pairs_, {});
   const long revision = revision_;
-  parts_->all_samples.follow(step.start.q);
+  parts_->all_samples.follow(step.start.q, [&](const Vec3& x) {
+    return std::all_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+      const double gap = (x - step.start.q.segment<3>(3 * body.node)).norm() - body.radius_m - parts_->radius;
+      return gap > -0.5 * parts_->ball_depth;
+    });
+  });
   paired_.assign(static_cast<std::size_t>(parts_->all_samples.size()) * bodies_.size(), 0);
   watch(step.start.q, step.start.v, kTouchReachOfMove * step.h);
   revision_ = pairs_ == before ? revision : revision + 1;

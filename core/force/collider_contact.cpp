@@ -38,7 +38,10 @@ void ColliderContact::begin_step(const StepContext& step) {
   ++searches_;
   for (RigidBody& body : bodies_) body.move_to(step.start.t + step.h);
   std::vector<Pair> pairs;
-  parts_->samples.follow(step.start.q);
+  parts_->samples.follow(step.start.q, [&](const Vec3& x) {
+    return std::all_of(bodies_.begin(), bodies_.end(),
+                       [&](const RigidBody& body) { return body.distance(x).phi - radius_ > -0.5 * depth_; });
+  });
   const auto num_samples = static_cast<std::size_t>(parts_->samples.size());
   clear_.assign(num_samples, std::numeric_limits<double>::infinity());
   start_.resize(num_samples);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "collide/closest_point.h"
 #include "force/gap_energy.h"
@@ -198,18 +199,46 @@ int SelfCollision::pieces(const Segment& segment, double distance) const {
   return 1 + static_cast<int>(std::ceil(segment.sampled / apart));
 }
 
-/// Whether some segment has become so much longer or shorter, by sliding or stretching, that it wants other points.
+double SelfCollision::length_of(const Segment& segment, const VecX& q) {
+  const double length = (q.segment<3>(segment.coords[3]) - q.segment<3>(segment.coords[0])).norm();
+  return std::max(length, q[segment.arc_coord + 1] - q[segment.arc_coord]);
+}
+
+/// Gives segments that have become much longer or shorter, by sliding or stretching, other points. Not those whose new
+/// points would begin in yarn that the old ones let between them; they wait. Returns whether there were any.
 bool SelfCollision::follow(const VecX& q) {
-  bool changed = false;
-  for (Segment& segment : segments_) {
-    const double length = (q.segment<3>(segment.coords[3]) - q.segment<3>(segment.coords[0])).norm();
-    const double arc = std::max(length, q[segment.arc_coord + 1] - q[segment.arc_coord]);
+  std::vector<int> changed;
+  for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
+    const Segment& segment = segments_[static_cast<std::size_t>(i)];
+    const double arc = length_of(segment, q);
     const double least = std::max(segment.sampled, radius_);
-    if (arc <= kGrown * least && kShrunk * arc >= segment.sampled - radius_) continue;
-    segment.sampled = arc;
-    changed = true;
+    if (arc > kGrown * least || kShrunk * arc < segment.sampled - radius_) changed.push_back(i);
   }
-  return changed;
+  const auto waits = [&](int i) {
+    Segment& segment = segments_[static_cast<std::size_t>(i)];
+    const double before = std::exchange(segment.sampled, length_of(segment, q));
+    if (points_fit(i, q)) return false;
+    segment.sampled = before;
+    return true;
+  };
+  std::erase_if(changed, waits);
+  return !changed.empty();
+}
+
+/// Whether all points of a segment are farther from other yarn at q than no move may bring them.
+bool SelfCollision::points_fit(int i, const VecX& q) const {
+  for (const NearSegments::Pair& near : near_.pairs()) {
+    if (near.a != i && near.b != i) continue;
+    const Segment &a = segments_[static_cast<std::size_t>(near.a)], &b = segments_[static_cast<std::size_t>(near.b)];
+    const Pair pair{near.a, near.b, pieces(a, near.touch), pieces(b, near.touch), near.touch};
+    bool fits = true;
+    for_each_point_pair(pair, [&](const std::array<double, 4>& w) {
+      const double distance = (at(a.coords, w[1], q) - at(b.coords, -w[3], q)).norm();
+      fits = fits && distance > pair.distance - (1.0 - kKeep) * depth(pair);
+    });
+    if (!fits) return false;
+  }
+  return true;
 }
 
 void SelfCollision::add_pair(const NearSegments::Pair& near) {
@@ -235,8 +264,7 @@ void SelfCollision::forget_pairs() {
 
 void SelfCollision::begin_step(const StepContext& step) {
   if (segments_.empty()) return;
-  divided_anew_ = follow(step.start.q);
-  if (divided_anew_) {
+  if (follow(step.start.q)) {
     forget_pairs();
   } else {
     drop_idle(step.start.q);
@@ -300,7 +328,7 @@ bool SelfCollision::push_apart(const Pair& pair, VecX& q) const {
 }
 
 void SelfCollision::push_out(const VecX& q0, VecX& q) {
-  if (segments_.empty() || (q0 == q && !divided_anew_)) return;
+  if (segments_.empty() || q0 == q) return;
   for (int i = 0; i < kMaxPushes; ++i) {
     watch(q0, q - q0, 1.0);
     bool moved = false;

@@ -48,8 +48,7 @@ class SelfCollision {
   double max_step(const VecX& q, const VecX& dq, double a) const;
   /// Pairs of segments that overlap at the start and are no neighbours in pattern or yarn; handles may hold one of them.
   int start_overlaps() const { return start_overlaps_; }
-  /// Moves yarn out of yarn that handles have moved from q0 into it, or that new points find it in, as far as handles
-  /// allow.
+  /// Moves yarn out of yarn that handles have moved from q0 into it, as far as handles allow.
   void push_out(const VecX& q0, VecX& q);
 
  private:
@@ -72,7 +71,9 @@ class SelfCollision {
   bool can_touch(int a, int b) const;
   double contact_distance(int a, int b) const;
   long key(int a, int b) const { return static_cast<long>(a) * static_cast<long>(segments_.size()) + b; }
+  static double length_of(const Segment& segment, const VecX& q);  // of its yarn, stretched [m]
   bool follow(const VecX& q);
+  bool points_fit(int segment, const VecX& q) const;
   int pieces(const Segment& segment, double distance) const;
   void forget_pairs();
   void drop_idle(const VecX& q);
@@ -92,7 +93,6 @@ class SelfCollision {
   std::vector<Pair> pairs_;
   std::unordered_set<long> taken_;  // keys of pairs_
   long revision_ = 0;
-  bool divided_anew_ = false;  // in this step: new points may begin where old ones would not have let them
 };
 static_assert(ForceTerm<SelfCollision>);
 

@@ -50,13 +50,17 @@ void TouchSamples::divide(Segment& segment, int pieces) {
   for (int k = 1; k < pieces; ++k) samples_.push_back({segment.visit, static_cast<double>(k) / pieces, segment.coords});
 }
 
-void TouchSamples::follow(const VecX& q) {
+void TouchSamples::follow(const VecX& q, const std::function<bool(const Vec3& x)>& free) {
   for (Segment& segment : segments_) {
     const double length = (q.segment<3>(segment.coords[3]) - q.segment<3>(segment.coords[0])).norm();
     const double arc = std::max(length, q[segment.arc_coord + 1] - q[segment.arc_coord]);
     const int wanted = pieces_for(arc);
     const bool far_apart = arc > kFarApart * spacing_ * segment.pieces;
-    if (far_apart || kTooMany * wanted < segment.pieces) divide(segment, wanted);
+    if (!far_apart && kTooMany * wanted >= segment.pieces) continue;
+    bool fits = true;
+    for (int k = 1; k < wanted; ++k)
+      fits = fits && free(place_of({segment.visit, static_cast<double>(k) / wanted, segment.coords}, q));
+    if (fits) divide(segment, wanted);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "model/model.h"
@@ -29,8 +30,9 @@ class TouchSamples {
   bool empty() const { return samples_.empty(); }
 
   /// Replaces the points of segments that have become so long since, by sliding or stretching, that theirs are more than
-  /// 1.2 spacings apart; or that need no third of theirs. Indices stay those of the same points; new ones come last.
-  void follow(const VecX& q);
+  /// 1.2 spacings apart; or that need no third of theirs. Where a new one would not be `free`, the old ones stay.
+  /// Indices stay those of the same points; new ones come last.
+  void follow(const VecX& q, const std::function<bool(const Vec3& x)>& free);
   long bytes() const;
 
  private:

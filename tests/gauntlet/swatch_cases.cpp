@@ -23,9 +23,9 @@ GauntletCase stretched() {
 }
 
 GauntletCase compressed() {
-  GauntletCase item = named("compressed-30", "pressed to three tenths of its width between two edges", swatch(6, 6));
+  GauntletCase item = named("compressed-30", "pressed between two edges to three tenths of what is free of them", swatch(6, 6));
   item.scene.effects.self_collision.emplace();
-  item.scene.handles = {pin(Edge::left), Handle{Edge::right, {{0.4, {-8.5e-3, 0, 0}, Vec3::Zero()}}}};
+  item.scene.handles = {pin(Edge::left), Handle{Edge::right, {{0.4, {-8.1e-3, 0, 0}, Vec3::Zero()}}}};
   item.scene.duration_s = 0.4;
   item.limits.max_stretch = 4.0;
   return item;

@@ -50,8 +50,8 @@ GauntletCase snag() {
 GauntletCase pulled_through() {
   GauntletCase item = named("pulled-through", "a yarn is drawn through a crossing until its end would leave it", {});
   Scene& scene = item.scene;
-  scene.yarns = {straight({-0.01, 0, 0}, {0.02, 0, 0}, 6), straight({0, 0, -0.02}, {0, 0, 0.02}, 8)};
-  scene.crossings = {{0, 2, 1, 4}};
+  scene.yarns = {straight({-0.01, 0, 0}, {0.02, 0, 0}, 3), straight({0, 0, -0.02}, {0, 0, 0.02}, 8)};
+  scene.crossings = {{0, 1, 1, 4}};
   Effects& on = scene.effects;
   on.inertia.emplace();
   on.stretch.emplace();
