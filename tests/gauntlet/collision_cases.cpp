@@ -44,6 +44,7 @@ GauntletCase fast_sphere() {
   item.scene.frames_per_s = 500.0;
   item.limits.max_stretch = 6.0;
   item.about_motion = true;
+  item.limits.max_ridge_entries = 5;
   return item;
 }
 

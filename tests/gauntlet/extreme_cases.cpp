@@ -19,6 +19,8 @@ GauntletCase stiff_in_bending() {
   hang(item.scene);
   item.scene.yarn.bending_nm2 *= 1e3;
   item.limits.max_stretch = 3.0;
+  item.limits.max_ridge_entries = 30;
+  item.limits.max_fade_entries = 250;
   return item;
 }
 

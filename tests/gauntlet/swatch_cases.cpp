@@ -13,6 +13,8 @@ GauntletCase stretched_and_released() {
   item.limits.max_stretch = 3.5;
   item.limits.isolated = true;
   item.about_motion = true;
+  item.limits.max_ridge_entries = 5;
+  item.limits.max_fade_entries = 20;
   return item;
 }
 
@@ -23,11 +25,14 @@ GauntletCase stretched() {
 }
 
 GauntletCase compressed() {
-  GauntletCase item = named("compressed-30", "pressed between two edges to three tenths of what is free of them", swatch(6, 6));
+  GauntletCase item =
+      named("compressed-30", "pressed between two edges to three tenths of what is free of them", swatch(6, 6));
   item.scene.effects.self_collision.emplace();
   item.scene.handles = {pin(Edge::left), Handle{Edge::right, {{0.4, {-8.1e-3, 0, 0}, Vec3::Zero()}}}};
   item.scene.duration_s = 0.4;
   item.limits.max_stretch = 4.0;
+  item.limits.max_ridge_entries = 20;
+  item.limits.max_fade_entries = 40;
   return item;
 }
 
@@ -36,7 +41,9 @@ GauntletCase twisted() {
   item.scene.effects.self_collision.emplace();
   item.scene.handles = {pin(Edge::bottom), Handle{Edge::top, {{1.0, Vec3::Zero(), {0, 10.0 * kPi, 0}}}}};
   item.scene.duration_s = 1.0;
-  item.limits.max_newton = 12000;
+  item.limits.max_newton = 20000;
+  item.limits.max_ridge_entries = 200;
+  item.limits.max_fade_entries = 150;
   return item;
 }
 
@@ -56,6 +63,8 @@ GauntletCase noise() {
   item.scene.knit->noise_m = 1e-3;
   item.limits.max_stretch = 12.0;
   item.limits.isolated = true;
+  item.limits.max_ridge_entries = 20;
+  item.limits.max_fade_entries = 80;
   return item;
 }
 

@@ -43,6 +43,7 @@ GauntletCase snag() {
   item.scene.duration_s = 0.05;
   item.limits.max_stretch = 4.0;
   item.about_motion = true;
+  item.limits.max_fade_entries = 50;
   return item;
 }
 
@@ -73,7 +74,10 @@ GauntletCase pulled_loop() {
   item.scene.handles[1].velocity_m_per_s = Vec3(-0.1, -0.2, 0.0);
   item.scene.duration_s = 0.2;
   item.limits.max_stretch = 6.0;
+  item.limits.impossible = true;  // its neighbours have no more yarn to give
   item.about_motion = true;
+  item.limits.max_ridge_entries = 5;
+  item.limits.max_fade_entries = 40;
   return item;
 }
 
@@ -82,6 +86,8 @@ GauntletCase selvedge_corner() {
       named("selvedge-corner", "the corner with missing neighbours is pulled out of the plane", swatch(5, 5));
   item.scene.handles = {pin(Edge::top), pin(Corner::bottom_right)};
   item.scene.handles[1].motion = {{0.1, {2e-3, -2e-3, 6e-3}, Vec3::Zero()}};
+  item.limits.max_ridge_entries = 8;
+  item.limits.max_fade_entries = 40;
   return item;
 }
 
