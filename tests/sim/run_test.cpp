@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sim/run.h"
 
+#include "sim/monitor.h"
 #include "sim_scenes.h"
 
 namespace slipstitch::testing {
@@ -251,6 +252,29 @@ TEST(Run, StaysAtRestOnceItIsThere) {
   EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;
   EXPECT_EQ(summary.rejected_steps, 0);
   EXPECT_LE(summary.newton_iterations, 3 * summary.steps);
+}
+
+// A pin that jumps a metre in a millisecond, in steps that cannot be that short.
+TEST(Run, ThatFailsNamesThePlaceTheEffectAndTheTimeAndKeepsTheLastGoodState) {
+  Scene scene = short_run();
+  scene.handles[0].motion = {{0.06, Vec3::Zero(), Vec3::Zero()}, {0.061, Vec3(0.0, 1.0, 0.0), Vec3::Zero()}};
+  auto& numerics = std::get<FixedNumerics>(scene.numerics);
+  numerics.max_newton_iterations = 8;
+  numerics.smallest_step_s = 5e-3;
+  std::vector<Frame> frames;
+  RunHooks hooks;
+  hooks.on_frame = [&](const Frame& frame) { frames.push_back(frame); };
+  const RunSummary summary = run(scene, 1, hooks);
+  EXPECT_EQ(summary.status, RunStatus::failed);
+  EXPECT_NE(summary.message.find("at t = 0.0666667 s"), std::string::npos) << summary.message;
+  EXPECT_NE(summary.message.find("worst at point "), std::string::npos) << summary.message;
+  EXPECT_NE(summary.message.find("where the largest force is that of stretch"), std::string::npos) << summary.message;
+  ASSERT_EQ(frames.size(), 4U);  // at 0, 0.025, 0.05 s, and the last good state
+  EXPECT_EQ(summary.frames, 4);
+  EXPECT_EQ(frames.back().index, 3);
+  EXPECT_EQ(frames.back().t, summary.sim_time_s);
+  EXPECT_EQ(state_hash(frames.back().q), summary.state_hash);
+  EXPECT_GT(frames.back().t, 0.055);
 }
 
 }  // namespace
