@@ -20,12 +20,25 @@ bool has_moving_collider(const Scene& scene) {
                                [](const Collider& collider) { return moves(collider); });
 }
 
+bool is_straight(const BareYarn& yarn) {
+  const Vec3 along = (yarn.points.back() - yarn.points.front()).normalized();
+  return std::all_of(yarn.points.begin(), yarn.points.end(), [&](const Vec3& p) {
+    const Vec3 from = p - yarn.points.front();
+    return from.cross(along).norm() <= 1e-9 * from.norm();
+  });
+}
+
+/// Nothing in it wants to be longer, shorter or straighter. Lengths that are given are taken to want so.
+bool is_relaxed(const BareYarn& yarn, const Effects& on) {
+  return yarn.prestretch == 1.0 && yarn.arc_lengths_m.empty() && (!on.bending || is_straight(yarn));
+}
+
 bool at_rest_for_ever(const Scene& scene) {
   return !has_moving_collider(scene) && !scene.effects.gravity && !scene.effects.wind && !scene.effects.shrinkage &&
          scene.loads.empty() && scene.initial_velocities.empty() &&
          std::none_of(scene.handles.begin(), scene.handles.end(), [](const Handle& handle) { return moves(handle); }) &&
-         std::none_of(scene.yarns.begin(), scene.yarns.end(), [](const BareYarn& yarn) {
-           return yarn.prestretch != 1.0 || !yarn.velocity_m_per_s.isZero(0.0);
+         std::none_of(scene.yarns.begin(), scene.yarns.end(), [&](const BareYarn& yarn) {
+           return !is_relaxed(yarn, scene.effects) || !yarn.velocity_m_per_s.isZero(0.0);
          });
 }
 
@@ -72,7 +85,7 @@ void add_missing(const Scene& scene, std::vector<std::string>& remarks) {
   missing(scene.knit && !on.bending, "bending", "without it a stitch has no shape to keep");
   missing(scene.knit && on.bending && !on.wrapping, "wrapping",
           "without it nothing holds the loops of a stitch around each other, and no edge curls");
-  missing(on.inertia && on.gravity && scene.handles.empty() && !on.colliders, "colliders",
+  missing(on.inertia && on.gravity && scene.handles.empty() && scene.guides.empty() && !on.colliders, "colliders",
           "nothing is held, and the fabric falls onto nothing");
   missing(on.sliding && scene.knit && !on.parallel_contact, "parallel_contact",
           "yarn can slide until two contacts are in one place");

@@ -8,6 +8,9 @@
 namespace slipstitch {
 namespace {
 
+constexpr int kMaxTries = 40;
+constexpr double kMargin = 0.99;  // so that an even way fits at the second look
+
 /// Way of the body's point at p from one time to another.
 double way_at(const RigidBody& from, const RigidBody& to, const Vec3& p) {
   return (to.to_space(from.to_body(p)) - p).norm();
@@ -48,9 +51,14 @@ double farthest_handle_way(const Simulation& sim, double h) {
 }  // namespace
 
 double longest_step(const Simulation& sim, double h) {
-  const double way = std::max(farthest_body_way(sim, h), farthest_handle_way(sim, h));
   const double radius = sim.model().yarn.radius_m;
-  return way > radius ? h * radius / way : h;
+  // Scripts need not be even within h: what stands still in the end has gone the faster before.
+  for (int k = 0; k < kMaxTries; ++k) {
+    const double way = std::max(farthest_body_way(sim, h), farthest_handle_way(sim, h));
+    if (!(way > radius)) return h;
+    h *= kMargin * radius / way;
+  }
+  return h;
 }
 
 }  // namespace slipstitch

@@ -168,6 +168,16 @@ TEST(NoPassage, AThinPlateAndASmallBallCarryYarnAlong) {
   }
 }
 
+// The motion ends in the middle of a step, so that the way of that step is shorter than its speed says.
+TEST(NoPassage, APlateThatStopsWithinAStepHasTheYarnBeforeIt) {
+  Collider collider;
+  collider.shape = Box{{0, 0, 5e-3}, {5e-3, 5e-3, 5e-4}, Vec3::Zero()};
+  collider.motion = {{6e-3, {0, 0, -0.012}, Vec3::Zero()}};
+  double last = 1.0;
+  run_watched(below(collider), 0.01, [&](const Simulation& sim) { last = position(sim, 0, 15).z(); });
+  EXPECT_LT(last, -7e-3);
+}
+
 TEST(NoPassage, YarnThrownAtAThinPlateStaysOnItsSide) {
   Collider plate;
   plate.shape = Box{{0, 0, -0.02}, {0.1, 0.1, 2e-4}, Vec3::Zero()};

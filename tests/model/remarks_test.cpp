@@ -63,6 +63,40 @@ TEST(Remarks, PointOutWhatCannotMatterAndWhatIsMissing) {
   }
 }
 
+bool says(const Scene& scene, const std::string& what) {
+  for (const std::string& remark : remarks_on(scene))
+    if (remark.find(what) != std::string::npos) return true;
+  return false;
+}
+
+TEST(Remarks, KnowYarnThatIsASpring) {
+  Scene scene;
+  scene.yarns.resize(1);
+  scene.yarns[0].points = {Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX()};
+  scene.effects.stretch.emplace();
+  scene.effects.bending.emplace();
+  EXPECT_TRUE(says(scene, "nothing moves the yarn"));
+  Scene bent = scene;
+  bent.yarns[0].points[2].y() = 0.5;
+  EXPECT_FALSE(says(bent, "nothing moves the yarn"));
+  bent.effects.bending.reset();
+  EXPECT_TRUE(says(bent, "nothing moves the yarn"));
+  scene.yarns[0].arc_lengths_m = {0.0, 0.9, 1.8};
+  EXPECT_FALSE(says(scene, "nothing moves the yarn"));
+}
+
+TEST(Remarks, TakeGuidesForSupports) {
+  Scene scene;
+  scene.yarns.resize(1);
+  scene.yarns[0].points = {Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX()};
+  scene.effects.inertia.emplace();
+  scene.effects.gravity.emplace();
+  scene.effects.stretch.emplace();
+  EXPECT_TRUE(says(scene, "falls onto nothing"));
+  scene.guides = {{0, 1}};
+  EXPECT_FALSE(says(scene, "falls onto nothing"));
+}
+
 TEST(Remarks, KnowWhatOnlyStitchesHave) {
   Scene scene;
   scene.yarns.resize(1);
