@@ -21,14 +21,18 @@ double farthest_body_way(const Simulation& sim, double h) {
   if (!colliders) return 0.0;
   const VecX& q = sim.state().q;
   const double radius = sim.model().yarn.radius_m;
-  const TouchSamples& samples = term_of<ColliderContact>(sim.forces()).parts()->samples;
+  const SharedTouchParts& parts = term_of<ColliderContact>(sim.forces()).parts();
+  const TouchSamples& samples = parts->samples;
   double farthest = 0.0;
+  std::size_t body = 0;  // of those that are not dynamic
   for (const Collider& collider : colliders->colliders) {
+    if (collider.dynamic) continue;
+    RigidBody from = parts->bodies[body++], to = from;
     if (collider.motion.empty()) continue;
-    RigidBody from(collider), to(collider);
     from.move_to(sim.state().t);
     to.move_to(sim.state().t + h);
     for (int i = 0; i < samples.size(); ++i) {
+      if (!samples[i].in_use) continue;
       const Vec3 p = place_of(samples[i], q);
       const double way = way_at(from, to, p);
       if (way > std::max(farthest, radius) && from.distance(p).phi < 2.0 * (way + radius)) farthest = way;

@@ -138,12 +138,13 @@ bool StepObjective::turns_too_far(const VecX& q, const VecX& dq, double a) const
 }
 
 bool StepObjective::follow_scripts(VecX& y, const VecX& q0, LinearSolver& solver) {
-  const double here = value(y);  // fills q_
+  expand(map_, y, q_);
   VecX way = VecX::Zero(q0.size());
   for (int c = 0; c < map_.num_coords(); ++c)
     if (map_.dof_of(c) < 0) way[c] = q_[c] - q0[c];
   const double farthest = way.cwiseAbs().maxCoeff();
   if (!(farthest > 0.0)) return false;
+  const double here = value(y);
   const double share = kSmallMove / farthest;
   VecX gradient, moved;
   SparseMatrix h;
