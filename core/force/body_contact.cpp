@@ -6,6 +6,7 @@
 
 #include "collide/closest_point.h"
 #include "collide/shape_distance.h"
+#include "force/script_push.h"
 #include "force/scripted_nodes.h"
 #include "force/weighted_point.h"
 #include "math/bytes.h"
@@ -66,11 +67,11 @@ void BodyContact::begin_step(const StepContext& step) {
   if (bodies_.empty()) return;
   const std::vector<Pair> before = std::exchange(pairs_, {});
   const long revision = revision_;
-  parts_->all_samples.follow(step.start.q, [&](const Vec3& x) {
-    return std::all_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
-      const double gap = (x - step.start.q.segment<3>(3 * body.node)).norm() - body.radius_m - parts_->radius;
-      return gap > -0.5 * parts_->ball_depth;
-    });
+  parts_->all_samples.follow(step.start.q, parts_->ball_depth, [&](const Vec3& x) {
+    double overlap = 0.0;
+    for (const Body& body : bodies_)
+      overlap = std::max(overlap, body.radius_m + parts_->radius - (x - step.start.q.segment<3>(3 * body.node)).norm());
+    return overlap;
   });
   paired_.assign(static_cast<std::size_t>(parts_->all_samples.size()) * bodies_.size(), 0);
   watch(step.start.q, step.start.v, kTouchReachOfMove * step.h);
@@ -102,16 +103,27 @@ double BodyContact::max_step(const VecX& q, const VecX& dq, double a) const {
   return a;
 }
 
-bool BodyContact::push_apart(const Pair& pair, VecX& q) const {
+bool BodyContact::outgrown(const VecX& q) const {
+  return parts_->all_samples.outgrown(q, [&](const Vec3& x, double within) {
+    return std::any_of(bodies_.begin(), bodies_.end(), [&](const Body& body) {
+      return (x - q.segment<3>(3 * body.node)).norm() < body.radius_m + within + 2.0 * parts_->radius;
+    });
+  });
+}
+
+bool BodyContact::push_apart(const Pair& pair, const VecX& q0, VecX& q) const {
   const Distance d = distance_to_ball(touching(pair), from_centre(pair, q));
-  if (d.phi > -0.5 * parts_->ball_depth) return false;
+  if (d.phi > -kPushedOverlap * parts_->ball_depth) return false;
+  const double gap0 = from_centre(pair, q0).norm() - touching(pair);
+  const double push = push_needed(parts_->ball_depth, d.phi, gap0);
+  if (push == 0.0) return false;
   const auto coords = coords_of(pair);
   auto w = weights(share_of(pair));
   for (std::size_t i = 0; i < 2; ++i)
     if (held_[static_cast<std::size_t>(coords[3 * i] / 3)]) w[i] = 0.0;
   if (w[0] != 0.0 || w[1] != 0.0) w[2] = 0.0;
   const double norm = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
-  for (std::size_t i = 0; i < 3; ++i) q.segment<3>(coords[3 * i]) -= w[i] / norm * d.phi * d.normal;
+  for (std::size_t i = 0; i < 3; ++i) q.segment<3>(coords[3 * i]) += w[i] / norm * push * d.normal;
   return true;
 }
 
@@ -120,7 +132,7 @@ void BodyContact::push_out(const VecX& q0, VecX& q) {
   watch(q0, q - q0, 1.0);
   for (int i = 0; i < kMaxPushes; ++i) {
     bool moved = false;
-    for (const Pair& pair : pairs_) moved = push_apart(pair, q) || moved;
+    for (const Pair& pair : pairs_) moved = push_apart(pair, q0, q) || moved;
     if (!moved) return;
   }
 }

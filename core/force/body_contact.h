@@ -38,6 +38,7 @@ class BodyContact {
   void watch(const VecX& q, const VecX& dq, double a);
   /// Largest share <= a of that way on which nothing passes into a sphere. Only after `watch` of the same way.
   double max_step(const VecX& q, const VecX& dq, double a) const;
+  bool outgrown(const VecX& q) const;
   /// Where handles have moved yarn from q0 into a sphere: moves what they leave free of it out, else the sphere.
   void push_out(const VecX& q0, VecX& q);
 
@@ -49,11 +50,9 @@ class BodyContact {
   double normal_force(const Pair& pair, const VecX& q) const;  // [N], >= 0
 
  private:
-  const TouchSample& sample(const Pair& pair) const {
-    return parts_->all_samples[pair.sample];
-  }
-  double touching(const Pair& pair) const { return body(pair.body).radius_m + parts_->radius; }
-  bool push_apart(const Pair& pair, VecX& q) const;
+  const TouchSample& sample(const Pair& pair) const { return parts_->all_samples[pair.sample]; }
+  double touching(const Pair& pair) const { return body(pair.body).radius_m + parts_->radius - sample(pair).slack; }
+  bool push_apart(const Pair& pair, const VecX& q0, VecX& q) const;
 
   SharedTouchParts parts_;
   std::vector<Body> bodies_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "force/script_push.h"
 #include "force/scripted_nodes.h"
 #include "force/weighted_point.h"
 #include "math/bytes.h"
@@ -26,7 +27,7 @@ ColliderContact::ColliderContact(const Model& model, SharedTouchParts parts)
 }
 
 double ColliderContact::gap(const Pair& pair, const VecX& q) const {
-  return body(pair.body).distance(place_of(sample(pair.sample), q)).phi - radius_;
+  return body(pair.body).distance(place_of(sample(pair.sample), q)).phi - touching(pair.sample);
 }
 
 double ColliderContact::normal_force(const Pair& pair, const VecX& q) const {
@@ -36,12 +37,15 @@ double ColliderContact::normal_force(const Pair& pair, const VecX& q) const {
 void ColliderContact::begin_step(const StepContext& step) {
   if (bodies_.empty()) return;
   ++searches_;
+  start_t_ = step.start.t;
+  for (RigidBody& body : bodies_) body.move_to(start_t_);
+  parts_->samples.follow(step.start.q, depth_, [&](const Vec3& x) {
+    double overlap = 0.0;
+    for (const RigidBody& body : bodies_) overlap = std::max(overlap, radius_ - body.distance(x).phi);
+    return overlap;
+  });
   for (RigidBody& body : bodies_) body.move_to(step.start.t + step.h);
   std::vector<Pair> pairs;
-  parts_->samples.follow(step.start.q, [&](const Vec3& x) {
-    return std::all_of(bodies_.begin(), bodies_.end(),
-                       [&](const RigidBody& body) { return body.distance(x).phi - radius_ > -0.5 * depth_; });
-  });
   const auto num_samples = static_cast<std::size_t>(parts_->samples.size());
   clear_.assign(num_samples, std::numeric_limits<double>::infinity());
   start_.resize(num_samples);
@@ -68,18 +72,20 @@ long ColliderContact::search_bytes() const {
 }
 
 double ColliderContact::eval(int k, const Vec<6>& q, Vec<6>* g, Mat<6>* hess) const {
+  const Pair& pair = pairs_[static_cast<std::size_t>(k)];
   const double share = sample_of(k).share;
-  const Distance d = body(pairs_[static_cast<std::size_t>(k)].body).distance(place(share, q));
-  const GapEnergy e = gap_energy(k_, depth_, d.phi - radius_);
+  const Distance d = body(pair.body).distance(place(share, q));
+  const GapEnergy e = gap_energy(k_, depth_, d.phi - touching(pair.sample));
   if (g) *g << (1.0 - share) * e.slope * d.normal, share * e.slope * d.normal;
   if (hess) spread(weights(share), e.curvature * d.normal * d.normal.transpose() + e.slope * d.curvature, *hess);
   return e.value;
 }
 
 void ColliderContact::convex_hessian(int k, const Vec<6>& q, Mat<6>& hess) const {
+  const Pair& pair = pairs_[static_cast<std::size_t>(k)];
   const double share = sample_of(k).share;
-  const Distance d = body(pairs_[static_cast<std::size_t>(k)].body).distance(place(share, q));
-  const GapEnergy e = gap_energy(k_, depth_, d.phi - radius_);
+  const Distance d = body(pair.body).distance(place(share, q));
+  const GapEnergy e = gap_energy(k_, depth_, d.phi - touching(pair.sample));
   spread(weights(share), e.curvature * d.normal * d.normal.transpose(), hess);
 }
 
@@ -88,14 +94,15 @@ double ColliderContact::keep_apart(const Pair& pair, const VecX& q, const VecX& 
   const Vec3 x = place_of(sample(pair.sample), q), dx = place_of(sample(pair.sample), dq);
   const double way = dx.norm();
   if (!(way > 0.0)) return a;
-  const double room = body(pair.body).distance(x).phi - radius_ + depth_;  // > 0
+  const double deepest = touching(pair.sample) - depth_;
+  const double room = body(pair.body).distance(x).phi - deepest;  // > 0
   if (a * way < (1.0 - kTouchKeep) * room) return a;
   const double floor = kTouchKeep * std::min(room, depth_);
   double done = 0.0, left = room - floor;
   for (int i = 0; i < kMaxAdvances && left > 1e-3 * floor; ++i) {
     done += left / way;
     if (done >= a) return a;
-    left = body(pair.body).distance(x + done * dx).phi - radius_ + depth_ - floor;
+    left = body(pair.body).distance(x + done * dx).phi - deepest - floor;
   }
   return std::min(a, done);
 }
@@ -111,27 +118,40 @@ double ColliderContact::max_step(const VecX& q, const VecX& dq, double a) const 
   return a;
 }
 
-bool ColliderContact::push_out_once(VecX& q) const {
+bool ColliderContact::outgrown(const VecX& q) const {
+  return parts_->samples.outgrown(q, [&](const Vec3& x, double within) {
+    return std::any_of(bodies_.begin(), bodies_.end(),
+                       [&](const RigidBody& body) { return body.distance(x).phi < within + 2.0 * radius_; });
+  });
+}
+
+bool ColliderContact::push_out_once(std::span<const RigidBody> before, const VecX& q0, VecX& q) const {
   bool moved = false;
   for (const Pair& pair : pairs_) {
     const TouchSample& at = sample(pair.sample);
     const Distance d = body(pair.body).distance(place_of(at, q));
-    const double gap = d.phi - radius_;
-    if (gap > -0.5 * depth_) continue;
+    const double gap = d.phi - touching(pair.sample);
+    if (gap > -kPushedOverlap * depth_) continue;
+    const double gap0 =
+        before[static_cast<std::size_t>(pair.body)].distance(place_of(at, q0)).phi - touching(pair.sample);
+    const double push = push_needed(depth_, gap, gap0);
+    if (push == 0.0) continue;
     const double w0 = held_[static_cast<std::size_t>(at.coords[0] / 3)] ? 0.0 : 1.0 - at.share;
     const double w1 = held_[static_cast<std::size_t>(at.coords[3] / 3)] ? 0.0 : at.share;
     const double norm = w0 * w0 + w1 * w1;
     if (!(norm > 0.0)) continue;
-    q.segment<3>(at.coords[0]) -= w0 / norm * gap * d.normal;
-    q.segment<3>(at.coords[3]) -= w1 / norm * gap * d.normal;
+    q.segment<3>(at.coords[0]) += w0 / norm * push * d.normal;
+    q.segment<3>(at.coords[3]) += w1 / norm * push * d.normal;
     moved = true;
   }
   return moved;
 }
 
-void ColliderContact::push_out(const VecX&, VecX& q) const {
+void ColliderContact::push_out(const VecX& q0, VecX& q) const {
+  std::vector<RigidBody> before = bodies_;
+  for (RigidBody& body : before) body.move_to(start_t_);
   for (int i = 0; i < kMaxPushes; ++i)
-    if (!push_out_once(q)) return;
+    if (!push_out_once(before, q0, q)) return;
 }
 
 }  // namespace slipstitch

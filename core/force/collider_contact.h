@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "collide/rigid_body.h"
@@ -11,7 +12,8 @@
 namespace slipstitch {
 
 /// Yarn against rigid bodies, at points along it: gap = distance of the centreline to the surface, less the radius.
-/// No accepted step leaves a point deeper than a tenth of the radius. Between the points a sharp edge can reach deeper.
+/// No accepted step leaves a point deeper than a tenth of the radius, or, new among points that let a body between them,
+/// than it began. Between points an edge reaches deeper: a quarter of a radius, or half of one where yarn grows quickly.
 ///
 /// The stencils are the pairs that can touch within the step; `max_step` keeps all others from doing so.
 class ColliderContact {
@@ -39,7 +41,8 @@ class ColliderContact {
   long searches() const { return searches_; }
   /// Largest share <= a of the way from q to q + dq on which nothing passes into a body.
   double max_step(const VecX& q, const VecX& dq, double a) const;
-  /// Moves points out of bodies that have moved over them, as far as handles allow.
+  bool outgrown(const VecX& q) const;
+  /// Moves points out of bodies that have moved over them, as far as handles allow, and no farther than need be.
   void push_out(const VecX& q0, VecX& q) const;
 
   const TouchSample& sample(int i) const { return parts_->samples[i]; }
@@ -49,9 +52,10 @@ class ColliderContact {
   double normal_force(const Pair& pair, const VecX& q) const;  // [N], >= 0
 
  private:
+  double touching(int i) const { return radius_ - sample(i).slack; }  // distance at which sample i does [m]
   const TouchSample& sample_of(int k) const { return sample(pairs_[static_cast<std::size_t>(k)].sample); }
   double keep_apart(const Pair& pair, const VecX& q, const VecX& dq, double a) const;
-  bool push_out_once(VecX& q) const;
+  bool push_out_once(std::span<const RigidBody> before, const VecX& q0, VecX& q) const;
 
   SharedTouchParts parts_;
   double radius_, depth_, k_;      // [m], [m], [N]
@@ -60,6 +64,7 @@ class ColliderContact {
   std::vector<Pair> pairs_;
   std::vector<double> clear_;  // per sample: least gap to the bodies it is not paired with [m]
   std::vector<Vec3> start_;    // per sample: place at the start of the step
+  double start_t_ = 0.0;       // of the step [s]
   long revision_ = 0, searches_ = 0;
 };
 static_assert(ForceTerm<ColliderContact>);

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 #include "collide/closest_point.h"
 #include "force/gap_energy.h"
+#include "force/script_push.h"
 #include "force/scripted_nodes.h"
 #include "force/segments.h"
+#include "force/touch_samples.h"
 #include "math/bytes.h"
 #include "model/pattern_places.h"
 
@@ -19,12 +21,12 @@ constexpr double kStiffness = 1e-3;  // of EA
 constexpr double kDeepest = 0.1;     // overlap, of d and at most of R
 constexpr double kWatched = 0.5;     // radii beyond d from which pairs become stencils along with those that must
 constexpr double kMargin = 0.5;      // radii of relative motion that a search of boxes lasts for
-constexpr double kGrown = 1.2, kShrunk = 3.0;  // times its length that a segment may be before it gets other points
-constexpr double kClosestPoints = 0.1;         // radii between two points of a segment, where yarn starts that close
-constexpr int kPatternReach = 3;               // courses and wales
-constexpr double kRoundOff = 1e-9;             // share of 2R by which yarns that are laid to touch may overlap
-constexpr int kMaxPushes = 100;
-constexpr double kKeep = 0.1;  // share of the way to the deepest overlap that one Newton step leaves
+constexpr double kGrown = 1.2, kOutgrown = 1.5,
+                 kShrunk = 3.0;         // times its length that a segment may be before it gets other points
+constexpr double kClosestPoints = 0.1;  // radii between two points of a segment, where yarn starts that close
+constexpr int kPatternReach = 3;        // courses and wales
+constexpr double kRoundOff = 1e-9;      // share of 2R by which yarns that are laid to touch may overlap
+constexpr double kKeep = 0.1;           // share of the way to the deepest overlap that one Newton step leaves
 
 Vec3 at(const std::array<int, 6>& coords, double share, const VecX& q) {
   return (1.0 - share) * q.segment<3>(coords[0]) + share * q.segment<3>(coords[3]);
@@ -204,47 +206,63 @@ double SelfCollision::length_of(const Segment& segment, const VecX& q) {
   return std::max(length, q[segment.arc_coord + 1] - q[segment.arc_coord]);
 }
 
-/// Gives segments that have become much longer or shorter, by sliding or stretching, other points. Not those whose new
-/// points would begin in yarn that the old ones let between them; they wait. Returns whether there were any.
+/// Gives segments that have become much longer or shorter, by sliding or stretching, other points. Returns whether
+/// there were any.
 bool SelfCollision::follow(const VecX& q) {
-  std::vector<int> changed;
-  for (int i = 0; i < static_cast<int>(segments_.size()); ++i) {
-    const Segment& segment = segments_[static_cast<std::size_t>(i)];
+  std::vector<char> changed(segments_.size(), 0);
+  for (std::size_t i = 0; i < segments_.size(); ++i) {
+    Segment& segment = segments_[i];
     const double arc = length_of(segment, q);
     const double least = std::max(segment.sampled, radius_);
-    if (arc > kGrown * least || kShrunk * arc < segment.sampled - radius_) changed.push_back(i);
+    if (arc <= kGrown * least && kShrunk * arc >= segment.sampled - radius_) continue;
+    segment.sampled = arc;
+    changed[i] = 1;
   }
-  const auto waits = [&](int i) {
-    Segment& segment = segments_[static_cast<std::size_t>(i)];
-    const double before = std::exchange(segment.sampled, length_of(segment, q));
-    if (points_fit(i, q)) return false;
-    segment.sampled = before;
-    return true;
-  };
-  std::erase_if(changed, waits);
-  return !changed.empty();
-}
-
-/// Whether all points of a segment are farther from other yarn at q than no move may bring them.
-bool SelfCollision::points_fit(int i, const VecX& q) const {
-  for (const NearSegments::Pair& near : near_.pairs()) {
-    if (near.a != i && near.b != i) continue;
-    const Segment &a = segments_[static_cast<std::size_t>(near.a)], &b = segments_[static_cast<std::size_t>(near.b)];
-    const Pair pair{near.a, near.b, pieces(a, near.touch), pieces(b, near.touch), near.touch};
-    bool fits = true;
-    for_each_point_pair(pair, [&](const std::array<double, 4>& w) {
-      const double distance = (at(a.coords, w[1], q) - at(b.coords, -w[3], q)).norm();
-      fits = fits && distance > pair.distance - (1.0 - kKeep) * depth(pair);
-    });
-    if (!fits) return false;
-  }
+  if (std::find(changed.begin(), changed.end(), 1) == changed.end()) return false;
+  renew_points(q, changed);
   return true;
 }
 
-void SelfCollision::add_pair(const NearSegments::Pair& near) {
-  const Segment &a = segments_[static_cast<std::size_t>(near.a)], &b = segments_[static_cast<std::size_t>(near.b)];
-  pairs_.push_back({near.a, near.b, pieces(a, near.touch), pieces(b, near.touch), near.touch});
-  taken_.insert(key(near.a, near.b));
+/// Of the stencils, which are all that touch.
+void SelfCollision::renew_points(const VecX& q, const std::vector<char>& changed) {
+  for (const Pair& old : pairs_) {
+    if (!changed[static_cast<std::size_t>(old.a)] && !changed[static_cast<std::size_t>(old.b)]) continue;
+    slack_.erase(key(old.a, old.b));
+    const Pair pair = pair_of(old.a, old.b, contact_distance(old.a, old.b));
+    const double before = old.distance - closest_points(old, q), now = pair.distance - closest_points(pair, q);
+    const double slack = first_slack(now, before, depth(pair));
+    if (slack > 0.0) slack_[key(old.a, old.b)] = slack;
+  }
+}
+
+/// Makes up for slack.
+void SelfCollision::tighten(const VecX& q) {
+  if (slack_.empty()) return;
+  const long num = static_cast<long>(segments_.size());
+  for (auto& [key, slack] : slack_) {
+    const int a = static_cast<int>(key / num), b = static_cast<int>(key % num);
+    const Pair pair = pair_of(a, b, contact_distance(a, b));
+    slack = next_slack(slack, pair.distance + slack - closest_points(pair, q), depth(pair));
+  }
+  for (Pair& pair : pairs_)
+    if (slack_.contains(key(pair.a, pair.b))) pair = pair_of(pair.a, pair.b, contact_distance(pair.a, pair.b));
+  std::erase_if(slack_, [](const auto& entry) { return entry.second == 0.0; });
+}
+
+double SelfCollision::closest_points(const Pair& pair, const VecX& q) const {
+  const auto &a = segments_[static_cast<std::size_t>(pair.a)].coords,
+             &b = segments_[static_cast<std::size_t>(pair.b)].coords;
+  double least = std::numeric_limits<double>::infinity();
+  for_each_point_pair(pair, [&](const std::array<double, 4>& w) {
+    least = std::min(least, (at(a, w[1], q) - at(b, -w[3], q)).norm());
+  });
+  return least;
+}
+
+SelfCollision::Pair SelfCollision::pair_of(int a, int b, double touch) const {
+  const auto slack = slack_.find(key(a, b));
+  return {a, b, pieces(segments_[static_cast<std::size_t>(a)], touch),
+          pieces(segments_[static_cast<std::size_t>(b)], touch), touch - (slack == slack_.end() ? 0.0 : slack->second)};
 }
 
 void SelfCollision::drop_idle(const VecX& q) {
@@ -264,6 +282,7 @@ void SelfCollision::forget_pairs() {
 
 void SelfCollision::begin_step(const StepContext& step) {
   if (segments_.empty()) return;
+  tighten(step.start.q);
   if (follow(step.start.q)) {
     forget_pairs();
   } else {
@@ -288,7 +307,10 @@ void SelfCollision::watch(const VecX& q, const VecX& way, double share) {
     must = must || least <= pair.touch;
   }
   if (!must) return;
-  for (const NearSegments::Pair& pair : close) add_pair(pair);
+  for (const NearSegments::Pair& pair : close) {
+    pairs_.push_back(pair_of(pair.a, pair.b, pair.touch));
+    taken_.insert(key(pair.a, pair.b));
+  }
 }
 
 double SelfCollision::max_step(const VecX& q, const VecX& dq, double a) const {
@@ -306,7 +328,19 @@ double SelfCollision::max_step(const VecX& q, const VecX& dq, double a) const {
   return a;
 }
 
-bool SelfCollision::push_apart(const Pair& pair, VecX& q) const {
+bool SelfCollision::outgrown(const VecX& q) const {
+  const auto grown = [&](int i) {
+    const Segment& segment = segments_[static_cast<std::size_t>(i)];
+    return length_of(segment, q) > kOutgrown * std::max(segment.sampled, radius_);
+  };
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+    if (!grown(pair.a) && !grown(pair.b)) return false;
+    return distance_of_segments(segments_[static_cast<std::size_t>(pair.a)].coords,
+                                segments_[static_cast<std::size_t>(pair.b)].coords, q) < pair.distance;
+  });
+}
+
+bool SelfCollision::push_apart(const Pair& pair, const VecX& q0, VecX& q) const {
   const Segment &a = segments_[static_cast<std::size_t>(pair.a)], &b = segments_[static_cast<std::size_t>(pair.b)];
   const std::array<int, 4> x{a.coords[0], a.coords[3], b.coords[0], b.coords[3]};
   const std::array<bool, 4> held{a.held[0], a.held[1], b.held[0], b.held[1]};
@@ -314,14 +348,17 @@ bool SelfCollision::push_apart(const Pair& pair, VecX& q) const {
   for_each_point_pair(pair, [&](std::array<double, 4> w) {
     const Vec3 p = at(a.coords, w[1], q) - at(b.coords, -w[3], q);
     const double gap = p.norm() - pair.distance;
-    if (gap > -0.5 * depth(pair)) return;
+    if (gap > -kPushedOverlap * depth(pair)) return;
+    const double gap0 = (at(a.coords, w[1], q0) - at(b.coords, -w[3], q0)).norm() - pair.distance;
+    const double push = push_needed(depth(pair), gap, gap0);
+    if (push == 0.0) return;
     double norm = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
       if (held[i]) w[i] = 0.0;
       norm += w[i] * w[i];
     }
     if (!(norm > 0.0)) return;
-    for (std::size_t i = 0; i < 4; ++i) q.segment<3>(x[i]) -= w[i] / norm * gap * p.normalized();
+    for (std::size_t i = 0; i < 4; ++i) q.segment<3>(x[i]) += w[i] / norm * push * p.normalized();
     moved = true;
   });
   return moved;
@@ -332,7 +369,7 @@ void SelfCollision::push_out(const VecX& q0, VecX& q) {
   for (int i = 0; i < kMaxPushes; ++i) {
     watch(q0, q - q0, 1.0);
     bool moved = false;
-    for (const Pair& pair : pairs_) moved = push_apart(pair, q) || moved;
+    for (const Pair& pair : pairs_) moved = push_apart(pair, q0, q) || moved;
     if (!moved) return;
   }
 }

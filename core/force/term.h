@@ -43,8 +43,8 @@ concept HasStress = requires(const T& cterm, int k, const Vec<T::kSize>& q, doub
   { cterm.hessian_at(k, q, stress, hess) } -> std::same_as<void>;
 };
 
-/// A term whose stencils change: revision() changes whenever it has dropped or replaced some. Those that it only adds come
-/// last.
+/// A term whose stencils change: revision() changes whenever it has dropped or replaced some. Those that it only adds
+/// come last.
 template <class T>
 concept HasChangingStencils = requires(const T& cterm) {
   { cterm.revision() } -> std::same_as<long>;
@@ -67,6 +67,13 @@ concept WatchesMoves = requires(T& term, const VecX& q, double a) {
 template <class T>
 concept LimitsMoves = requires(const T& cterm, const VecX& q, double a) {
   { cterm.max_step(q, q, a) } -> std::same_as<double>;  // largest share <= a of the way from q by dq
+};
+
+/// A term that a step could outgrow: whose points in a segment that touches something a long step has taken too far
+/// apart.
+template <class T>
+concept CanBeOutgrown = requires(const T& cterm, const VecX& q) {
+  { cterm.outgrown(q) } -> std::same_as<bool>;
 };
 
 /// A term that can take q out of states that scripts have made forbidden on the way from q0.

@@ -9,13 +9,12 @@ namespace {
 
 constexpr double kDeepest = 0.1;     // overlap, in yarn radii
 constexpr double kStiffness = 1e-3;  // of EA
-constexpr double kBetween = 0.01;    // how much deeper a sphere reaches between points than at them, in yarn radii
+// How much deeper a body reaches between points than at them, in yarn radii.
+constexpr double kBallBetween = 0.01, kEdgeBetween = 0.15;
 
-double spacing_for(const std::vector<Body>& bodies, double radius) {
-  double spacing = 2.0 * radius;
-  for (const Body& body : bodies)
-    spacing = std::min(spacing, std::sqrt(8.0 * kBetween * radius * (body.radius_m + radius)));
-  return spacing;
+/// Of points on a straight yarn between which a body of this radius reaches `between` deeper [m].
+double spacing_for(double body_radius, double between, double radius) {
+  return std::min(2.0 * radius, std::sqrt(8.0 * between * radius * (body_radius + radius)));
 }
 
 }  // namespace
@@ -26,15 +25,18 @@ SharedTouchParts touch_parts(const Model& model) {
   if (!effect) return parts;
   parts->radius = model.yarn.radius_m;
   parts->depth = kDeepest * parts->radius;
-  parts->ball_depth = (kDeepest - 2.0 * kBetween) * parts->radius;  // twice: for yarn that is stretched
+  parts->ball_depth = (kDeepest - 2.0 * kBallBetween) * parts->radius;  // twice: for yarn that is stretched
   parts->k = effect->stiffness_n.value_or(kStiffness * model.yarn.stretch_n);
   parts->k_t = effect->stick_stiffness_n_per_m;
-  for (const Collider& collider : effect->colliders)
+  double spacing = 2.0 * parts->radius, ball_spacing = spacing;
+  for (const Collider& collider : effect->colliders) {
+    const double edge = edge_radius(collider.shape);
+    double& narrowest = collider.dynamic ? ball_spacing : spacing;
+    narrowest = std::min(narrowest, spacing_for(edge, collider.dynamic ? kBallBetween : kEdgeBetween, parts->radius));
     if (!collider.dynamic) parts->bodies.emplace_back(collider);
-  if (!parts->bodies.empty()) parts->samples = TouchSamples(model, 2.0 * parts->radius, TouchPoints::free);
-  if (!model.bodies.empty())
-    parts->all_samples =
-        TouchSamples(model, spacing_for(model.bodies, parts->radius), TouchPoints::all);
+  }
+  if (!parts->bodies.empty()) parts->samples = TouchSamples(model, spacing, TouchPoints::free);
+  if (!model.bodies.empty()) parts->all_samples = TouchSamples(model, ball_spacing, TouchPoints::all);
   return parts;
 }
 

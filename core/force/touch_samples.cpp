@@ -12,9 +12,23 @@ namespace slipstitch {
 namespace {
 
 constexpr double kFarApart = 1.2;  // spacings
-constexpr double kTooMany = 3.0;   // times the pieces that would do
+constexpr double kOutgrown = 1.5;
+constexpr double kTooMany = 3.0;  // times the pieces that would do
+
+// In shares of the deepest overlap: what a new point has of it, at least, so that it is given next to no push, and at
+// most; and which share of the rest it takes up in a step.
+constexpr double kLeastFirst = 0.1, kMostFirst = 0.9, kTightened = 0.5;
 
 }  // namespace
+
+double first_slack(double overlap, double before, double deepest) {
+  return std::max(0.0, overlap - std::clamp(before, kLeastFirst * deepest, kMostFirst * deepest));
+}
+
+double next_slack(double slack, double overlap, double deepest) {
+  const double left = std::max(0.0, deepest - (overlap - slack));
+  return std::max(0.0, slack - kTightened * left);
+}
 
 TouchSamples::TouchSamples(const Model& model, double spacing, TouchPoints points) : spacing_(spacing) {
   const Topology& topology = model.topology;
@@ -43,6 +57,11 @@ int TouchSamples::pieces_for(double arc) const {
   return std::max(1, static_cast<int>(std::ceil(arc / spacing_ - 1e-9)));
 }
 
+double TouchSamples::arc_of(const Segment& segment, const VecX& q) const {
+  const double length = (q.segment<3>(segment.coords[3]) - q.segment<3>(segment.coords[0])).norm();
+  return std::max(length, q[segment.arc_coord + 1] - q[segment.arc_coord]);
+}
+
 void TouchSamples::divide(Segment& segment, int pieces) {
   for (int k = 1; k < segment.pieces; ++k) samples_[static_cast<std::size_t>(segment.first + k - 1)].in_use = false;
   segment.pieces = pieces;
@@ -50,20 +69,43 @@ void TouchSamples::divide(Segment& segment, int pieces) {
   for (int k = 1; k < pieces; ++k) samples_.push_back({segment.visit, static_cast<double>(k) / pieces, segment.coords});
 }
 
-void TouchSamples::follow(const VecX& q, const std::function<bool(const Vec3& x)>& free) {
+void TouchSamples::tighten(const VecX& q, double deepest, const std::function<double(const Vec3& x)>& overlap) {
+  for (const int i : slack_) {
+    TouchSample& sample = samples_[static_cast<std::size_t>(i)];
+    sample.slack = next_slack(sample.slack, overlap(place_of(sample, q)), deepest);
+  }
+  std::erase_if(slack_, [&](int i) { return (*this)[i].slack == 0.0 || !(*this)[i].in_use; });
+}
+
+void TouchSamples::follow(const VecX& q, double deepest, const std::function<double(const Vec3& x)>& overlap) {
+  tighten(q, deepest, overlap);
   for (Segment& segment : segments_) {
-    const double length = (q.segment<3>(segment.coords[3]) - q.segment<3>(segment.coords[0])).norm();
-    const double arc = std::max(length, q[segment.arc_coord + 1] - q[segment.arc_coord]);
+    const double arc = arc_of(segment, q);
     const int wanted = pieces_for(arc);
     const bool far_apart = arc > kFarApart * spacing_ * segment.pieces;
     if (!far_apart && kTooMany * wanted >= segment.pieces) continue;
-    bool fits = true;
-    for (int k = 1; k < wanted; ++k)
-      fits = fits && free(place_of({segment.visit, static_cast<double>(k) / wanted, segment.coords}, q));
-    if (fits) divide(segment, wanted);
+    double before = std::max(overlap(q.segment<3>(segment.coords[0])), overlap(q.segment<3>(segment.coords[3])));
+    for (int k = 1; k < segment.pieces; ++k) {
+      const TouchSample& old = (*this)[segment.first + k - 1];
+      before = std::max(before, overlap(place_of(old, q)) - old.slack);
+    }
+    divide(segment, wanted);
+    for (int i = segment.first; i < size(); ++i) {
+      TouchSample& sample = samples_[static_cast<std::size_t>(i)];
+      sample.slack = first_slack(overlap(place_of(sample, q)), before, deepest);
+      if (sample.slack > 0.0) slack_.push_back(i);
+    }
   }
 }
 
-long TouchSamples::bytes() const { return bytes_of(segments_, samples_); }
+bool TouchSamples::outgrown(const VecX& q, const std::function<bool(const Vec3& x, double within)>& near) const {
+  return std::any_of(segments_.begin(), segments_.end(), [&](const Segment& segment) {
+    if (arc_of(segment, q) <= kOutgrown * spacing_ * segment.pieces) return false;
+    const Vec3 x0 = q.segment<3>(segment.coords[0]), x1 = q.segment<3>(segment.coords[3]);
+    return near(0.5 * (x0 + x1), 0.5 * (x1 - x0).norm());
+  });
+}
+
+long TouchSamples::bytes() const { return bytes_of(segments_, samples_, slack_); }
 
 }  // namespace slipstitch

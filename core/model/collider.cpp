@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model/collider.h"
 
+#include <limits>
+
 namespace slipstitch {
 namespace {
 
@@ -16,8 +18,18 @@ struct Centre {
   }
 };
 
+struct EdgeRadius {
+  double operator()(const Plane&) const { return std::numeric_limits<double>::infinity(); }
+  double operator()(const Sphere& sphere) const { return sphere.radius; }
+  double operator()(const Capsule& capsule) const { return capsule.radius; }
+  double operator()(const Box&) const { return 0.0; }
+  double operator()(const TriangleMesh&) const { return 0.0; }
+};
+
 }  // namespace
 
 Vec3 centre_of(const Shape& shape) { return std::visit(Centre{}, shape); }
+
+double edge_radius(const Shape& shape) { return std::visit(EdgeRadius{}, shape); }
 
 }  // namespace slipstitch

@@ -52,4 +52,7 @@ struct Collider {
 /// Plane: its point; box, sphere: the centre; capsule: its middle; mesh: the mean of its vertices.
 Vec3 centre_of(const Shape& shape);
 
+/// Of the sphere or capsule; 0 for what has edges, infinite for a plane [m].
+double edge_radius(const Shape& shape);
+
 }  // namespace slipstitch

@@ -16,6 +16,7 @@ double way_at(const RigidBody& from, const RigidBody& to, const Vec3& p) {
   return (to.to_space(from.to_body(p)) - p).norm();
 }
 
+/// In shares of what keeps each body on its side of the yarn: a radius, or half of that and the body's own.
 double farthest_body_way(const Simulation& sim, double h) {
   const auto& colliders = sim.model().effects.colliders;
   if (!colliders) return 0.0;
@@ -31,16 +32,19 @@ double farthest_body_way(const Simulation& sim, double h) {
     if (collider.motion.empty()) continue;
     from.move_to(sim.state().t);
     to.move_to(sim.state().t + h);
+    const double allowed = std::min(radius, 0.5 * (radius + edge_radius(collider.shape)));
     for (int i = 0; i < samples.size(); ++i) {
       if (!samples[i].in_use) continue;
       const Vec3 p = place_of(samples[i], q);
       const double way = way_at(from, to, p);
-      if (way > std::max(farthest, radius) && from.distance(p).phi < 2.0 * (way + radius)) farthest = way;
+      if (way > allowed * std::max(farthest, 1.0) && from.distance(p).phi < 2.0 * (way + radius))
+        farthest = way / allowed;
     }
   }
   return farthest;
 }
 
+/// In radii.
 double farthest_handle_way(const Simulation& sim, double h) {
   const Model& model = sim.model();
   if (!model.effects.self_collision && model.bodies.empty()) return 0.0;
@@ -49,18 +53,17 @@ double farthest_handle_way(const Simulation& sim, double h) {
   double farthest = 0.0;
   for (const ScriptedNodes& handle : model.handles)
     for (const int n : handle.nodes) farthest = std::max(farthest, (moved - sim.state().q).segment<3>(3 * n).norm());
-  return farthest;
+  return farthest / model.yarn.radius_m;
 }
 
 }  // namespace
 
 double longest_step(const Simulation& sim, double h) {
-  const double radius = sim.model().yarn.radius_m;
   // Scripts need not be even within h: what stands still in the end has gone the faster before.
   for (int k = 0; k < kMaxTries; ++k) {
     const double way = std::max(farthest_body_way(sim, h), farthest_handle_way(sim, h));
-    if (!(way > radius)) return h;
-    h *= kMargin * radius / way;
+    if (!(way > 1.0)) return h;
+    h *= kMargin / way;
   }
   return h;
 }

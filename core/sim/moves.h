@@ -16,6 +16,15 @@ inline double allowed_move(YarnForces& forces, const VecX& q, const VecX& dq, do
   return a;
 }
 
+/// Whether a step that ends at q has outgrown what a term watches.
+inline bool outgrown(const YarnForces& forces, const VecX& q) {
+  const auto grown = [&](const auto& term) {
+    if constexpr (CanBeOutgrown<std::decay_t<decltype(term)>>) return term.outgrown(q);
+    return false;
+  };
+  return std::apply([&](const auto&... term) { return (grown(term) || ...); }, forces);
+}
+
 /// Moves q, to which scripts have taken it from q0, out of what they have moved over.
 inline void push_out(YarnForces& forces, const VecX& q0, VecX& q) {
   const auto push = [&](auto& term) {

@@ -24,6 +24,20 @@ std::string short_time(double t) {
   return text.data();
 }
 
+std::string fault_text(const StepReport& report) {
+  switch (report.fault) {
+    case StepFault::arc_floor:
+      return "a segment loses its yarn";
+    case StepFault::outgrown:
+      return "yarn that touches something grows too fast";
+    case StepFault::far_push:
+      return "what scripts move sweeps yarn too far in one step";
+    case StepFault::none:
+      break;
+  }
+  return std::string(to_string(report.newton.status));
+}
+
 class Run {
  public:
   Run(const Scene& scene, const FixedNumerics& numerics, int threads, const RunHooks& hooks)
@@ -139,9 +153,8 @@ class Run {
   }
 
   std::string why_not(const Simulation& sim, const StepReport& report) const {
-    std::string why =
-        "no step above " + number_text(numerics_.smallest_step_s) + " s converges at t = " + short_time(sim.state().t) +
-        " s: " + (report.at_arc_floor ? "a segment loses its yarn" : std::string(to_string(report.newton.status)));
+    std::string why = "no step above " + number_text(numerics_.smallest_step_s) +
+                      " s converges at t = " + short_time(sim.state().t) + " s: " + fault_text(report);
     if (report.worst_coord < 0) return why;
     why += ", worst at " + describe_coordinate(sim.model().topology, report.worst_coord);
     return report.worst_term.empty() ? why : why + ", where the largest force is that of " + report.worst_term;

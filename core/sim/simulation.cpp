@@ -18,8 +18,10 @@
 namespace slipstitch {
 namespace {
 
-// Yarn is stiff as k_s/D: in a segment of next to no length the Newton step is small whatever the force, and says nothing.
+// Yarn is stiff as k_s/D: in a segment of next to no length the Newton step is small whatever the force, and says
+// nothing.
 constexpr double kKeepArcInAStep = 0.05;
+constexpr double kFarthestPush = 1.5;   // radii; two radii take yarn through yarn
 constexpr double kEndsTolerance = 0.1;  // share of the step tolerance to which loose ends are solved
 
 class TimedSolver final : public LinearSolver {
@@ -81,7 +83,8 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   StepObjective objective(forces_, map_, assembly_, model_.topology, wall_);
   TimedSolver solver(*solver_, wall_, linear_solves_);
   VecX y;
-  push_out(forces_, state_.q, start);
+  StepReport report;
+  if (!push_out_of_scripts(start, report)) return report;
   restrict_to_dofs(map_, start, y);
   objective.keep_arcs(state_.q, quasi_static() ? 0.0 : kKeepArcInAStep, model_.yarn.stretch_n);
   objective.predict(y, VecX::Zero(y.size()));
@@ -104,7 +107,6 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   if (model_.naive.unfiltered_steps) objective.allow_any_step();
   options.convex_fallback = !model_.naive.unprojected_hessian;
   if (model_.naive.one_solve) options.max_iterations = 1;
-  StepReport report;
   report.newton = newton(objective, solver, options, y);
   if (risen && report.newton.status == NewtonStatus::converged && objective.value(y) > objective.value(unmoved)) {
     y = unmoved;
@@ -117,16 +119,29 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   report.residual = quasi_static() ? report.newton.max_gradient : report.newton.max_step / h;
   report.accepted = report.newton.status == NewtonStatus::converged ||
                     (model_.naive.one_solve && report.newton.status == NewtonStatus::too_many_iterations);
-  report.at_arc_floor = report.accepted && objective.at_arc_floor(y);
-  report.accepted = report.accepted && !report.at_arc_floor;
+  VecX q;
+  expand(map_, y, q);
+  if (report.accepted && objective.at_arc_floor(y)) report.fault = StepFault::arc_floor;
+  // Equilibria may be far from each other however short the step.
+  if (report.accepted && !quasi_static() && outgrown(forces_, q)) report.fault = StepFault::outgrown;
+  report.accepted = report.accepted && report.fault == StepFault::none;
   if (report.accepted) {
-    VecX q;
-    expand(map_, y, q);
     accept(h, q);
   } else if (report.newton.status != NewtonStatus::cancelled) {
     blame(y, report);
   }
   return report;
+}
+
+bool Simulation::push_out_of_scripts(VecX& start, StepReport& report) {
+  VecX push = start;
+  push_out(forces_, state_.q, start);
+  push = start - push;
+  int farthest = 0;  // arc lengths are never pushed
+  if (push.cwiseAbs().maxCoeff(&farthest) <= kFarthestPush * model_.yarn.radius_m) return true;
+  report.fault = StepFault::far_push;
+  report.worst_coord = farthest;
+  return false;
 }
 
 void Simulation::blame(const VecX& y, StepReport& report) const {
@@ -169,15 +184,17 @@ std::map<std::string, double> Simulation::energies() {
   std::map<std::string, double> result;
   assembly_.value(forces_, state_.q);
   std::size_t i = 0;
-  std::apply([&](const auto&... term) {
-    const auto report = [&](const auto& t, double energy) {
-      using Term = std::decay_t<decltype(t)>;
-      if (!kIsPotential<Term> || t.size() == 0) return;
-      if constexpr (std::is_same_v<Term, Wrapping>) energy -= t.least_energy();
-      result[std::string(Term::kName)] = energy;
-    };
-    (report(term, assembly_.energies()[i++]), ...);
-  }, forces_);
+  std::apply(
+      [&](const auto&... term) {
+        const auto report = [&](const auto& t, double energy) {
+          using Term = std::decay_t<decltype(t)>;
+          if (!kIsPotential<Term> || t.size() == 0) return;
+          if constexpr (std::is_same_v<Term, Wrapping>) energy -= t.least_energy();
+          result[std::string(Term::kName)] = energy;
+        };
+        (report(term, assembly_.energies()[i++]), ...);
+      },
+      forces_);
   if (const auto& inertia = term_of<Inertia>(forces_); inertia.size() > 0)
     result["kinetic"] =
         inertia.kinetic_energy(state_.q, state_.v) + term_of<BodyInertia>(forces_).kinetic_energy(state_.v);

@@ -14,11 +14,20 @@
 
 namespace slipstitch {
 
+/// Why a step that Newton could do, or need not try, is refused all the same.
+enum class StepFault {
+  none,
+  arc_floor,  // a segment has lost all yarn that one step may take
+  outgrown,   // a segment that touches something has become so much longer that it could let it between its points
+  far_push,   // getting yarn out of what scripts have moved over it, as by a lever, takes it too far to see what it
+              // passes
+};
+
 struct StepReport {
   NewtonReport newton;
   double residual = 0.0;  // max |Newton step| / h [m/s]; quasi-static: max |gradient| [N]
   bool accepted = false;
-  bool at_arc_floor = false;  // converged, but a segment has lost all yarn that one step may take
+  StepFault fault = StepFault::none;
   // Of a solve that failed: the full coordinate that its last Newton step would move most (-1: none), and the term with
   // the largest force on it.
   int worst_coord = -1;
@@ -58,6 +67,7 @@ class Simulation {
 
  private:
   void begin_step(const StepContext& step);
+  bool push_out_of_scripts(VecX& start, StepReport& report);
   void accept(double h, const VecX& q);
   void blame(const VecX& y, StepReport& report) const;
 
