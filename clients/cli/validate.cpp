@@ -89,9 +89,17 @@ std::vector<std::string> all_remarks(const Scene& given) {
   Prepared prepared = prepare(acting);
   if (prepared.failure) return remarks;
   Simulation simulation(std::move(prepared.model));
-  for (const int i : colliders_out_of_reach(simulation, span_of(acting)))
-    remarks.push_back("effects.colliders.colliders[" + std::to_string(i) +
-                      "] cannot matter here: a bound on the energy shows that the fabric never reaches it");
+  const RunSpan span = span_of(acting);
+  const std::vector<int> never = colliders_out_of_reach(simulation, bound_reach(simulation), span);
+  const Reach stretched = reach_at_twice_its_length(simulation, span);
+  const auto remark = [&](int i, const char* text) {
+    remarks.push_back("effects.colliders.colliders[" + std::to_string(i) + "] " + text);
+  };
+  for (const int i : never)
+    remark(i, "cannot matter here: a bound on the energy shows that the fabric never reaches it");
+  for (const int i : colliders_out_of_reach(simulation, stretched, span))
+    if (std::find(never.begin(), never.end(), i) == never.end())
+      remark(i, "probably cannot matter here: yarn would have to be stretched to twice its length to reach it");
   return remarks;
 }
 

@@ -6,6 +6,7 @@
 namespace slipstitch {
 namespace {
 
+constexpr std::size_t kPointsToMeetItself = 5;  // segments with one between them are neighbours
 constexpr double kAlphaThatRollsUp = 0.3;  // free edges of stockinette at this wrapping stiffness close into a scroll
 
 bool moves(const Handle& handle) { return !handle.motion.empty() || handle.velocity_m_per_s.has_value(); }
@@ -51,6 +52,9 @@ std::vector<IdleEffect> idle_effects(const Scene& scene) {
     if (holds) effects.push_back({effect, why});
   };
   const bool stitches = scene.knit.has_value(), shared = stitches || !scene.crossings.empty();
+  const bool no_bends = !stitches && std::all_of(scene.yarns.begin(), scene.yarns.end(),
+                                                 [](const BareYarn& yarn) { return yarn.points.size() < 3; });
+  const bool no_air = on.air_drag && on.air_drag->linear_ns_per_m2 == 0.0 && on.air_drag->quadratic_ns2_per_m3 == 0.0;
   idle(on.gravity && on.gravity->acceleration_m_per_s2.isZero(0.0), "gravity", "its acceleration is 0");
   idle(on.wrapping && !stitches, "wrapping", "only stitches wrap, and the scene has no knit");
   idle(on.wrapping && stitches && on.wrapping->stiffness_n.value_or(on.wrapping->alpha) == 0.0, "wrapping",
@@ -64,8 +68,14 @@ std::vector<IdleEffect> idle_effects(const Scene& scene) {
            on.damping->wrapping_ns == 0.0 && (on.damping->sliding_ns_per_m == 0.0 || !on.sliding),
        "damping", "it damps nothing that moves");
   idle(on.damping && !on.inertia, "damping", "without inertia only the path to rest is damped, not where it ends");
-  idle(on.air_drag && on.air_drag->linear_ns_per_m2 == 0.0 && on.air_drag->quadratic_ns2_per_m3 == 0.0, "air_drag",
-       "both its coefficients are 0");
+  const char* const straight = "yarns of one segment cannot bend";
+  idle(on.bending && no_bends, "bending", straight);
+  idle(on.bending_jamming && no_bends, "bending_jamming", straight);
+  idle(on.plasticity && no_bends, "plasticity", straight);
+  idle(on.self_collision && !stitches && scene.yarns.size() == 1 && scene.yarns[0].points.size() < kPointsToMeetItself,
+       "self_collision", "a yarn of fewer than four segments cannot meet itself");
+  idle(no_air, "air_drag", "both its coefficients are 0");
+  idle(on.wind && no_air, "wind", "both coefficients of air_drag are 0");
   idle(on.wind && on.wind->velocity_m_per_s.isZero(0.0) && on.wind->gust_velocity_m_per_s.isZero(0.0), "wind",
        "the air stands still");
   idle(on.shrinkage && std::all_of(on.shrinkage->keyframes.begin(), on.shrinkage->keyframes.end(),

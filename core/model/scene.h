@@ -96,7 +96,7 @@ struct FixedNumerics {
   double time_step_s = 1.0 / 240;               // largest step > 0; shortened so that frames fall on steps
   double velocity_tolerance_m_per_s = 1e-4;     // Newton stops when max |Newton step| / h is below; dynamic steps
   double force_tolerance_n = 1e-9;              // quasi-static steps stop when max |gradient| is below [N]
-  int max_newton_iterations = 60;               // a step that needs more is cut in half
+  int max_newton_iterations = 200;              // a step that needs more is cut in half
   double smallest_step_s = 1e-7;                // below: the run fails
 };
 

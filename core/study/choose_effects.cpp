@@ -113,7 +113,9 @@ class Chooser {
   void drop_or_keep_colliders(Simulation& sim) {
     if (!effects().colliders) return;
     auto& colliders = effects().colliders->colliders;
-    const std::vector<int> out = colliders_out_of_reach(sim, span_of(chosen_.scene));
+    std::vector<int> out = colliders_out_of_reach(sim, bound_reach(sim), span_of(chosen_.scene));
+    // Where a dynamic sphere goes is part of the result.
+    std::erase_if(out, [&](int i) { return colliders[static_cast<std::size_t>(i)].dynamic.has_value(); });
     for (auto i = out.rbegin(); i != out.rend(); ++i) colliders.erase(colliders.begin() + *i);
     const std::string found =
         out.empty() ? "" : std::to_string(out.size()) + " can never be reached and are left out; ";

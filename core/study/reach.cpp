@@ -132,7 +132,6 @@ std::string work_not_known(const Model& model) {
   if (!on.stretch) return "there is no stretch";
   if (on.shrinkage) return "shrinkage does work";
   if (on.wind) return "wind does work";
-  if (model.topology.num_bodies > 0) return "dynamic spheres do work";
   for (const ScriptedNodes& script : model.handles)
     if (!script.motion.empty() || !script.velocity_m_per_s.isZero(0.0)) return "moving handles do work";
   return {};
@@ -149,6 +148,12 @@ Vec3 gravity_of(const Model& model) {
   return model.effects.gravity ? model.effects.gravity->acceleration_m_per_s2 : Vec3::Zero();
 }
 
+/// Longest way along yarn to a held node, or to the mass centre of a free part [m].
+double path_of(const Model& model, const YarnGraph& graph, const PartFacts& facts) {
+  if (model.effects.sliding) return facts.length;
+  return facts.held.empty() ? 2.0 * farthest(graph, {facts.nodes.front()}) : farthest(graph, facts.held);
+}
+
 ReachPart held_part(const Model& model, const YarnGraph& graph, const PartFacts& facts, double energy) {
   ReachPart part;
   part.held = true;
@@ -156,7 +161,7 @@ ReachPart held_part(const Model& model, const YarnGraph& graph, const PartFacts&
   for (const int node : facts.held) part.anchors.push_back(model.start_q.segment<3>(3 * node));
   for (const int node : facts.nodes)
     start_m = std::max(start_m, (model.start_q.segment<3>(3 * node) - part.anchors.front()).norm());
-  const double path = model.effects.sliding ? facts.length : farthest(graph, facts.held);
+  const double path = path_of(model, graph, facts);
   const double weight = facts.mass * gravity_of(model).norm() + facts.load;
   part.radius = strained_length(path, model.yarn.stretch_n, energy, weight, start_m) + model.yarn.radius_m;
   return part;
@@ -165,11 +170,36 @@ ReachPart held_part(const Model& model, const YarnGraph& graph, const PartFacts&
 ReachPart free_part(const Model& model, const YarnGraph& graph, const PartFacts& facts, double energy) {
   ReachPart part;
   part.anchors = {facts.centre};
-  part.velocity = facts.momentum / facts.mass;
-  part.acceleration = gravity_of(model);
-  const double path = model.effects.sliding ? facts.length : 2.0 * farthest(graph, {facts.nodes.front()});
+  if (model.effects.air_drag) {  // it only takes energy, but the centre of mass need not fall straight
+    part.speed = std::sqrt(2.0 * energy / facts.mass);
+    part.gain = gravity_of(model).norm();
+  } else {
+    part.velocity = facts.momentum / facts.mass;
+    part.acceleration = gravity_of(model);
+  }
+  const double path = path_of(model, graph, facts);
   part.radius = strained_length(path, model.yarn.stretch_n, energy, 0.0, 0.0) + model.yarn.radius_m;
   return part;
+}
+
+std::string why_free_parts_go_anywhere(const Effects& on, const PartFacts& facts) {
+  if (!facts.held.empty()) return {};
+  if (!on.inertia) return "without inertia nothing carries a free part";
+  if (on.wind) return "wind moves a free part";
+  return facts.load > 0.0 ? "loads move a free part" : "";
+}
+
+/// The farthest that a handle takes any of its nodes from where it starts, going or turning [m].
+double farthest_way(const Model& model, const ScriptedNodes& script, double duration_s) {
+  double way = script.velocity_m_per_s.norm() * duration_s, lever = 0.0, turn = 0.0;
+  for (const int node : script.nodes)
+    lever = std::max(lever,
+                     (model.start_q.segment<3>(3 * node) - model.start_q.segment<3>(3 * script.nodes.front())).norm());
+  for (const Keyframe& key : script.motion) {
+    way = std::max(way, key.translation_m.norm());
+    turn = std::max(turn, key.rotation_rad.norm());
+  }
+  return way + std::min(turn, 2.0) * 2.0 * lever;
 }
 
 }  // namespace
@@ -177,21 +207,38 @@ ReachPart free_part(const Model& model, const YarnGraph& graph, const PartFacts&
 Reach bound_reach(Simulation& sim) {
   const Model& model = sim.model();
   Reach reach;
+  reach.gravity = gravity_of(model);
   reach.no_bound = work_not_known(model);
   if (!reach.no_bound.empty()) return reach;
   const YarnGraph graph = graph_of(model.topology);
   const double energy = start_energy(sim);
   for (const PartFacts& facts : facts_of(model, graph)) {
-    if (!facts.held.empty()) {
-      reach.parts.push_back(held_part(model, graph, facts, energy));
-    } else if (!model.effects.inertia || model.effects.air_drag || facts.load > 0.0) {
-      reach.no_bound = !model.effects.inertia    ? "without inertia nothing carries a free part"
-                       : model.effects.air_drag ? "air slows a free part"
-                                                : "loads move a free part";
-      return reach;
-    } else {
-      reach.parts.push_back(free_part(model, graph, facts, energy));
-    }
+    reach.no_bound = why_free_parts_go_anywhere(model.effects, facts);
+    if (!reach.no_bound.empty()) return reach;
+    reach.parts.push_back(facts.held.empty() ? free_part(model, graph, facts, energy)
+                                             : held_part(model, graph, facts, energy));
+  }
+  return reach;
+}
+
+Reach reach_at_twice_its_length(Simulation& sim, const RunSpan& span) {
+  const Model& model = sim.model();
+  Reach reach;
+  reach.gravity = gravity_of(model);
+  if (!model.effects.stretch) reach.no_bound = "there is no stretch";
+  if (model.effects.shrinkage) reach.no_bound = "yarn shrinks or grows";
+  const YarnGraph graph = graph_of(model.topology);
+  const double energy = start_energy(sim);
+  double way = 0.0;
+  for (const ScriptedNodes& script : model.handles) way = std::max(way, farthest_way(model, script, span.duration_s));
+  for (const PartFacts& facts : facts_of(model, graph)) {
+    if (reach.no_bound.empty()) reach.no_bound = why_free_parts_go_anywhere(model.effects, facts);
+    if (!reach.no_bound.empty()) return reach;
+    ReachPart part = facts.held.empty() ? free_part(model, graph, facts, energy) : ReachPart{};
+    part.held = !facts.held.empty();
+    for (const int node : facts.held) part.anchors.push_back(model.start_q.segment<3>(3 * node));
+    part.radius = 2.0 * path_of(model, graph, facts) + (part.held ? way : 0.0) + model.yarn.radius_m;
+    reach.parts.push_back(part);
   }
   return reach;
 }
@@ -214,23 +261,33 @@ std::vector<double> times_of(const Collider& collider, double duration_s) {
   return times;
 }
 
-/// Least distance of the body from a part at time t, less all that it can lose on an even way to time `other`.
-double least_on_way(const ReachPart& part, const Collider& collider, RigidBody& body, double t, double other,
-                    double step_s) {
+Keyframe place_at(const Collider& collider, const Vec3& gravity, double t) {
+  if (!collider.dynamic) return motion_at(collider.motion, t);
+  return {t, collider.dynamic->velocity_m_per_s * t + 0.5 * t * t * gravity, Vec3::Zero()};
+}
+
+/// Least distance of the body from what a part reaches at time t, less all that it can lose on an even way to time
+/// `other`.
+double least_on_way(const ReachPart& part, const Vec3& gravity, const Collider& collider, RigidBody& body, double t,
+                    double other, double step_s) {
   body.move_to(t);
-  const Keyframe here = motion_at(collider.motion, t), there = motion_at(collider.motion, other);
+  const double last = std::max(t, other);
+  const Keyframe here = place_at(collider, gravity, t), there = place_at(collider, gravity, other);
   const double moved = (there.translation_m - here.translation_m).norm();
   const double turned = (there.rotation_rad - here.rotation_rad).norm();
-  const double speed = part.velocity.norm() + part.acceleration.norm() * std::max(t, other);
+  double speed = part.velocity.norm() + part.acceleration.norm() * last;
+  if (collider.dynamic) speed += collider.dynamic->velocity_m_per_s.norm() + gravity.norm() * last;
+  const double grown = part.radius + part.speed * last + 0.5 * part.gain * last * (last + step_s);
+  const Vec3 fallen = collider.dynamic ? here.translation_m : Vec3::Zero();  // which move_to() knows nothing of
   double least = kFar;
   for (const Vec3& anchor : part.anchors) {
     const Vec3 p = anchor + part.velocity * t + 0.5 * t * t * part.acceleration;
     const double lever = (p - centre_of(collider.shape) - here.translation_m).norm() + moved;
     // Implicit Euler falls half a step times the speed too far.
     const double lost = moved + turned * lever + speed * (std::abs(other - t) + 0.5 * step_s);
-    least = std::min(least, body.distance(p).phi - lost);
+    least = std::min(least, body.distance(p - fallen).phi - lost);
   }
-  return least;
+  return least - grown;
 }
 
 }  // namespace
@@ -241,16 +298,16 @@ bool stays_out_of_reach(const Reach& reach, const Collider& collider, const RunS
   const std::vector<double> times = times_of(collider, span.duration_s);
   for (const ReachPart& part : reach.parts)
     for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-      const double least = std::max(least_on_way(part, collider, body, times[i], times[i + 1], span.step_s),
-                                    least_on_way(part, collider, body, times[i + 1], times[i], span.step_s));
-      if (least < part.radius) return false;
+      const auto room = [&](double t, double other) {
+        return least_on_way(part, reach.gravity, collider, body, t, other, span.step_s);
+      };
+      if (std::max(room(times[i], times[i + 1]), room(times[i + 1], times[i])) < 0.0) return false;
     }
   return true;
 }
 
-std::vector<int> colliders_out_of_reach(Simulation& sim, const RunSpan& span) {
+std::vector<int> colliders_out_of_reach(const Simulation& sim, const Reach& reach, const RunSpan& span) {
   if (!sim.model().effects.colliders) return {};
-  const Reach reach = bound_reach(sim);
   const std::vector<Collider>& colliders = sim.model().effects.colliders->colliders;
   std::vector<int> outside;
   bool is_pushed = false;  // by one that may be reached
@@ -258,7 +315,7 @@ std::vector<int> colliders_out_of_reach(Simulation& sim, const RunSpan& span) {
     if (stays_out_of_reach(reach, colliders[i], span)) {
       outside.push_back(static_cast<int>(i));
     } else {
-      is_pushed = is_pushed || !colliders[i].motion.empty();
+      is_pushed = is_pushed || !colliders[i].motion.empty() || colliders[i].dynamic;
     }
   }
   const bool falls =

@@ -127,5 +127,36 @@ TEST(Remarks, KnowThatACollidersWayCanMoveYarn) {
   EXPECT_TRUE(remarks_on(scene).empty());
 }
 
+TEST(Remarks, KnowYarnTooShortForAnEffect) {
+  Scene scene;
+  scene.yarns.resize(1);
+  scene.yarns[0].points = {Vec3::Zero(), Vec3::UnitX()};
+  scene.effects.stretch.emplace();
+  scene.effects.bending.emplace();
+  scene.effects.bending_jamming.emplace();
+  scene.effects.plasticity.emplace();
+  scene.effects.self_collision.emplace();
+  for (const char* effect : {"bending", "bending_jamming", "plasticity", "self_collision"})
+    EXPECT_TRUE(says(scene, std::string("effects.") + effect + " cannot matter")) << effect;
+  scene.yarns[0].points = {Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX(), 3.0 * Vec3::UnitX()};
+  EXPECT_FALSE(says(scene, "cannot bend"));
+  EXPECT_TRUE(says(scene, "cannot meet itself"));
+  scene.yarns[0].points.push_back(4.0 * Vec3::UnitX());
+  EXPECT_FALSE(says(scene, "cannot meet itself"));
+  scene.yarns[0].points.pop_back();
+  scene.yarns.push_back(scene.yarns[0]);
+  EXPECT_FALSE(says(scene, "cannot meet itself"));
+}
+
+TEST(Remarks, KnowThatWindTakesHoldByDrag) {
+  Scene scene = quiet_scene();
+  scene.effects.air_drag.emplace();
+  scene.effects.wind.emplace().velocity_m_per_s = Vec3::UnitX();
+  EXPECT_FALSE(says(scene, "wind cannot matter"));
+  scene.effects.air_drag->linear_ns_per_m2 = 0.0;
+  scene.effects.air_drag->quadratic_ns2_per_m3 = 0.0;
+  EXPECT_TRUE(says(scene, "wind cannot matter"));
+}
+
 }  // namespace
 }  // namespace slipstitch

@@ -29,7 +29,8 @@ double least_slack(const Scene& scene, const Reach& reach) {
       for (const ReachPart& part : reach.parts)
         for (const Vec3& anchor : part.anchors) {
           const Vec3 at = anchor + frame.t * part.velocity + 0.5 * frame.t * frame.t * part.acceleration;
-          inside = std::max(inside, part.radius - (frame.q.segment<3>(3 * n) - at).norm());
+          const double radius = part.radius + frame.t * part.speed + 0.5 * frame.t * frame.t * part.gain;
+          inside = std::max(inside, radius - (frame.q.segment<3>(3 * n) - at).norm());
         }
       slack = std::min(slack, inside);
     }
@@ -103,7 +104,7 @@ TEST(Reach, HasNoBoundWhereWorkIsDoneThatNobodyKnows) {
   EXPECT_NE(reach_of(scene).no_bound, "");
   scene = hanging_yarn();
   scene.handles.clear();
-  scene.effects.air_drag.emplace();
+  scene.loads = {{YarnPoint{0, 1}, Vec3(1.0, 0.0, 0.0)}};
   EXPECT_NE(reach_of(scene).no_bound, "");
   scene = hanging_yarn();
   scene.effects.inertia.reset();
@@ -136,7 +137,7 @@ TEST(Reach, IsOfNoUseBehindABodyThatCanPushTheFabricAway) {
   const Collider near{Sphere{Vec3(0.1, -0.1, 0.0), 0.01}, 0.3, {}};
   const auto outside = [&] {
     Simulation sim(prepare(scene).model);
-    return colliders_out_of_reach(sim, {0.5, 0.005});
+    return colliders_out_of_reach(sim, bound_reach(sim), {0.5, 0.005});
   };
   effect.colliders = {near, far};
   EXPECT_EQ(outside(), std::vector<int>{1});  // the near one stands still and adds no energy
@@ -148,7 +149,50 @@ TEST(Reach, IsOfNoUseBehindABodyThatCanPushTheFabricAway) {
   effect.colliders = {far};
   EXPECT_EQ(outside(), std::vector<int>{0});
   effect.colliders[0].dynamic.emplace().mass_kg = 1.0;
+  EXPECT_EQ(outside(), std::vector<int>{0});  // it falls with the yarn
+  effect.colliders[0].dynamic->velocity_m_per_s = {0.0, -10.0, 0.0};
   EXPECT_TRUE(outside().empty());
+  effect.colliders.push_back(Collider{Sphere{Vec3(9.0, 0.0, 0.0), 0.01}, 0.3, {}});
+  EXPECT_TRUE(outside().empty());  // the one that comes pushes the yarn
+}
+
+TEST(Reach, AtTwiceItsLengthKnowsNoWork) {
+  Scene scene = hanging_yarn();
+  scene.handles[0].motion = {{0.1, Vec3(0.25, 0.0, 0.0), Vec3::Zero()}};
+  scene.effects.air_drag.emplace();
+  scene.effects.wind.emplace().velocity_m_per_s = {9.0, 0.0, 0.0};
+  const auto reach = [&] {
+    Simulation sim(prepare(scene).model);
+    return reach_at_twice_its_length(sim, {0.5, 0.005});
+  };
+  const Reach held = reach();
+  ASSERT_EQ(held.no_bound, "");
+  scene.handles[0].motion.clear();
+  const Reach still = reach();
+  EXPECT_NEAR(held.parts[0].radius - still.parts[0].radius, 0.25, 1e-12);
+  const std::vector<Vec3>& points = scene.yarns[0].points;
+  const double length = (points.back() - points.front()).norm();
+  EXPECT_NEAR(still.parts[0].radius, 2.0 * length + scene.yarn.radius_m, 1e-12);
+  scene.handles.clear();
+  EXPECT_NE(reach().no_bound, "");  // carried by the wind
+  scene.effects.wind.reset();
+  EXPECT_EQ(reach().no_bound, "");
+}
+
+TEST(Reach, GrowsWithTheFallThatAirSlows) {
+  Scene scene = hanging_yarn();
+  scene.handles.clear();
+  scene.effects.air_drag.emplace();
+  const Reach reach = reach_of(scene);
+  const double r = reach.parts[0].radius + reach.parts[0].speed * 0.5;
+  const Vec3 from = reach.parts[0].anchors[0];
+  const auto floor = [&](double below) {
+    return Collider{Plane{from - Vec3(0.0, below, 0.0), Vec3::UnitY()}, 0.3, {}};
+  };
+  EXPECT_TRUE(stays_out_of_reach(reach, floor(r + 1.3), {0.5, 0.005}));  // falls 1.23 m
+  EXPECT_FALSE(stays_out_of_reach(reach, floor(r + 1.2), {0.5, 0.005}));
+  scene.duration_s = 0.4;
+  EXPECT_GT(least_slack(scene, reach), 0.0);
 }
 
 TEST(Reach, FollowsAFall) {
