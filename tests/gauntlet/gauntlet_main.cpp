@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "gauntlet/gauntlet_report.h"
+#include "gauntlet/random_runs.h"
 #include "platform/startup.h"
 
 namespace slipstitch::gauntlet {
@@ -15,6 +16,8 @@ namespace {
 struct Options {
   std::string only, out;
   bool plain = false;  // every case as it is, once
+  int random = 0;      // scenes from seeds, in place of the cases
+  std::uint64_t seed = 1;
 };
 
 std::vector<CellRow> run_all(const std::vector<GauntletCase>& cases, const Options& options) {
@@ -43,6 +46,21 @@ int write(const std::string& folder, const std::vector<CellRow>& rows) {
   return csv ? 0 : 1;
 }
 
+int run_seeds(const Options& options) {
+  int done = 0;
+  const RandomTally tally =
+      run_random(options.seed, options.random, [&](const GauntletCase& item, const CellResult& result, double wall_s) {
+        const CellRow row{&item, {}, result, wall_s};
+        std::fprintf(stderr, "%d/%d %s  %s\n", ++done, options.random, terminal_line(row).c_str(), item.about.c_str());
+      });
+  for (const auto& failure : tally.failures)
+    std::printf("seed %llu: %s (%s)\n", static_cast<unsigned long long>(failure.seed), failure.why.c_str(),
+                failure.about.c_str());
+  std::printf("%d passed, %d cut, %d refused, %d failed\n", tally.count(Outcome::passed), tally.count(Outcome::cut),
+              tally.count(Outcome::refused), tally.count(Outcome::failed));
+  return tally.failures.empty() ? 0 : 1;
+}
+
 }  // namespace
 }  // namespace slipstitch::gauntlet
 
@@ -54,7 +72,10 @@ int main(int argc, char** argv) {
   app.add_option("--case", options.only, "Only this case");
   app.add_flag("--as-is", options.plain, "Every case under its own settings only");
   app.add_option("--out", options.out, "Folder for stability.md and stability.csv");
+  app.add_option("--random", options.random, "That many random scenes instead, one a seed")->check(CLI::PositiveNumber);
+  app.add_option("--seed", options.seed, "The first seed");
   CLI11_PARSE(app, argc, argv);
+  if (options.random > 0) return run_seeds(options);
   const std::vector<GauntletCase> cases = gauntlet_cases();
   const std::vector<CellRow> rows = run_all(cases, options);
   if (rows.empty()) {
