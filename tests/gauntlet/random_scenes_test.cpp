@@ -163,7 +163,7 @@ TEST(RandomScenes, HaveEverythingBetweenThem) {
 }
 
 TEST(RandomScenes, BreakNoInvariant) {
-  const RandomTally tally = run_random(1, kRuns, {});
+  const RandomTally tally = run_random(1, kRuns, 1, {});
   for (const auto& failure : tally.failures)
     ADD_FAILURE() << "seed " << failure.seed << ": " << failure.why << " (" << failure.about << ")";
   std::printf("%d passed, %d cut, %d refused\n", tally.count(Outcome::passed), tally.count(Outcome::cut),
