@@ -13,6 +13,16 @@ namespace {
 constexpr std::array kSteps{1.0, 2.4e-3, 0.1, 4.0, 24.0};
 constexpr std::array kStiffnesses{1.0, 1e-3, 0.1, 1e3};
 
+constexpr NaiveVariant kVariants[] = {
+    {"unsigned arccos", &Naive::unsigned_angle},
+    {"unfaded wraps", &Naive::unfaded_wraps},
+    {"unfiltered steps", &Naive::unfiltered_steps},
+    {"unprojected Hessians", &Naive::unprojected_hessian},
+    {"explicit friction", &Naive::explicit_friction},
+    {"inertia without velocity terms", &Naive::no_velocity_terms},
+    {"linearised one-solve integrator", &Naive::one_solve},
+};
+
 }  // namespace
 
 std::vector<Cell> gauntlet_cells(const std::vector<GauntletCase>& cases) {
@@ -31,6 +41,24 @@ std::vector<Cell> gauntlet_cells(const std::vector<GauntletCase>& cases) {
   return cells;
 }
 
+std::span<const NaiveVariant> naive_variants() { return kVariants; }
+
+std::vector<Cell> naive_cells(const std::vector<GauntletCase>& cases) {
+  std::vector<Cell> cells;
+  for (const NaiveVariant& variant : kVariants)
+    for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
+      cells.push_back({i, {}});
+      cells.back().settings.naive.*variant.set = true;
+    }
+  return cells;
+}
+
+std::string naive_name(const Naive& naive) {
+  for (const NaiveVariant& variant : kVariants)
+    if (naive.*variant.set) return variant.name;
+  return {};
+}
+
 std::string settings_text(const Settings& settings) {
   std::string text;
   const auto add = [&](bool holds, const std::string& what) {
@@ -40,6 +68,8 @@ std::string settings_text(const Settings& settings) {
   add(settings.stiffness_factor != 1.0, "stiffness x" + number_text(settings.stiffness_factor));
   add(settings.quasi_static, "static");
   add(settings.simplicial, "simplicial");
+  const std::string naive = naive_name(settings.naive);
+  add(!naive.empty(), naive);
   return text.empty() ? "as it is" : text;
 }
 

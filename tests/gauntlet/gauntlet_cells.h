@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,18 @@ struct Cell {
 
 /// Every two of case, step, stiffness, inertia and solver together at least once, and every case as it is first.
 std::vector<Cell> gauntlet_cells(const std::vector<GauntletCase>& cases);
+
+struct NaiveVariant {
+  const char* name;
+  bool Naive::*set;
+};
+std::span<const NaiveVariant> naive_variants();
+
+/// Every case as it is, once with each naive variant.
+std::vector<Cell> naive_cells(const std::vector<GauntletCase>& cases);
+
+/// Name of the variant that is set; empty: none.
+std::string naive_name(const Naive& naive);
 
 /// "step x0.01, stiffness x1000, static, simplicial"; "as it is".
 std::string settings_text(const Settings& settings);

@@ -18,8 +18,14 @@ struct CellRow {
 /// One line of a terminal: outcome, work, worst invariant, safeguards.
 std::string terminal_line(const CellRow& row);
 
-/// What is checked, one row a case, and every cell that did not pass as it should.
-std::string stability_markdown(std::span<const CellRow> rows, const std::string& command);
+/// Of the cells without a naive variant.
+struct Totals {
+  int passed = 0, cut = 0, refused = 0, failed = 0;
+};
+Totals totals(std::span<const CellRow> rows);
+
+/// What is checked, one row a case, every cell that is refused or fails, and one row a naive variant.
+std::string stability_markdown(std::span<const CellRow> rows);
 
 /// One row a cell, all that was measured.
 std::string stability_csv(std::span<const CellRow> rows);

@@ -38,6 +38,9 @@ Sum incremental_potential(const Simulation& sim, const VecX& q) {
   return sum;
 }
 
+/// Nothing is no share even of nothing, as in a straight yarn that rests.
+double share_of(double is, double allowed) { return is == 0.0 ? 0.0 : is / allowed; }
+
 double finite(const AcceptedStep& step, const Limits&) {
   const State& s = step.after;
   return s.q.allFinite() && s.v.allFinite() && s.p.allFinite() && s.anchor.allFinite() ? 0.0 : kBroken;
@@ -77,7 +80,7 @@ double descent(const AcceptedStep& step, const Limits&) {
   apply_scripts(step.sim.model(), step.after.t, start);
   const Sum from = incremental_potential(step.sim, start), to = incremental_potential(step.sim, step.after.q);
   if (!std::isfinite(from.value)) return 0.0;  // a script has moved yarn into a body: nothing to end below
-  return (to.value - from.value) / (kRoundOff * std::max(from.size, to.size));
+  return share_of(to.value - from.value, kRoundOff * std::max(from.size, to.size));
 }
 
 double momentum(const AcceptedStep& step, const Limits&) {
@@ -103,7 +106,7 @@ double momentum(const AcceptedStep& step, const Limits&) {
     size += change.norm() + outside.segment<3>(3 * n).norm() + all.segment<3>(3 * n).norm();
   }
   const double inner = incremental_potential(step.sim, step.after.q).size / model.yarn.radius_m;
-  return sum.norm() / (1e-9 * size + 1e-12 * inner);
+  return share_of(sum.norm(), 1e-9 * size + 1e-12 * inner);
 }
 
 constexpr std::array kInvariants{

@@ -81,6 +81,21 @@ TEST_F(OneStep, MomentumSeesWhatNothingGave) {
   expect_sees("momentum", [](State& s) { s.p[31] += 1e-11; });
 }
 
+TEST(Invariants, HoldWhereNothingHappens) {
+  Scene scene;
+  BareYarn yarn;
+  for (int i = 0; i <= 4; ++i) yarn.points.push_back({0.25 * i, 0, 0});  // lengths without round-off
+  scene.yarns = {yarn};
+  scene.effects.inertia.emplace();
+  scene.effects.stretch.emplace();
+  Simulation sim(compile(scene, nullptr));
+  const State before = sim.state();
+  const StepReport report = sim.step(1.0 / 240.0, {}, {});
+  ASSERT_TRUE(report.accepted);
+  for (const Invariant& invariant : invariants())
+    EXPECT_LE(invariant.share({sim, before, sim.state(), report.newton}, Limits{}), 1.0) << invariant.name;
+}
+
 /// Two straight yarns that cross in projection, d apart in height.
 Model crossing(double d) {
   Scene scene;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "gauntlet/gauntlet_case.h"
+#include "gauntlet/gauntlet_cells.h"
 
 namespace slipstitch::gauntlet {
 namespace {
@@ -28,12 +28,10 @@ std::string outcome_of(const GauntletCase& item, const Naive& naive) {
 TEST(Naive, EveryVariantTakesAnotherWay) {
   const GauntletCase wild = short_case("noise-of-half-a-stitch"), pulled = short_case("selvedge-corner");
   const std::string wild_outcome = outcome_of(wild, {}), pulled_outcome = outcome_of(pulled, {});
-  for (bool Naive::*variant :
-       {&Naive::unsigned_angle, &Naive::unfaded_wraps, &Naive::unfiltered_steps, &Naive::unprojected_hessian,
-        &Naive::explicit_friction, &Naive::no_velocity_terms, &Naive::one_solve}) {
+  for (const NaiveVariant& variant : naive_variants()) {
     Naive naive;
-    naive.*variant = true;
-    EXPECT_TRUE(outcome_of(wild, naive) != wild_outcome || outcome_of(pulled, naive) != pulled_outcome);
+    naive.*variant.set = true;
+    EXPECT_TRUE(outcome_of(wild, naive) != wild_outcome || outcome_of(pulled, naive) != pulled_outcome) << variant.name;
   }
   EXPECT_EQ(outcome_of(wild, {}), wild_outcome);
 }
