@@ -65,7 +65,7 @@ Reference reference_of(const Bent& bent, const Vec<11>& q, double near) {
 
 TEST_F(ElementBend, HasTheRightDerivativesFromExactlyStraightOn) {
   for (const Bent& bent : kBends)
-    for (const double theta : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.049, 0.051, 0.5, 1.5}) {
+    for (const double theta : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 0.049, 0.051, 0.3, 0.5, 1.5}) {
       SCOPED_TRACE(bent.name + std::to_string(theta));
       const Vec<11> q = bend(theta, 0.0, 0.5);
       const Evaluated<11> e(bent.energy, q);
