@@ -41,7 +41,7 @@ AirDrag::AirDrag(const Model& model) : model_(&model) {
     arc_coord_.push_back(c[3]);
   });
   length_.resize(coords_.size());
-  start_.resize(coords_.size());
+  start_.resize(coords_.size(), Vec3::Zero());
 }
 
 void AirDrag::begin_step(const StepContext& step) {

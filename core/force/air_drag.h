@@ -48,7 +48,7 @@ class AirDrag {
   std::vector<double> length_;                  // D_n [m] (size)
   std::vector<Vec3> start_;                     // x0 + x1 at the start of the step [m] (size)
   Vec3 air_ = Vec3::Zero();                     // [m/s]
-  double h_ = 0.0;                              // [s]
+  double h_ = 1.0;                              // [s]; before the first step nothing has a length
 };
 static_assert(ForceTerm<AirDrag>);
 

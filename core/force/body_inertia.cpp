@@ -6,8 +6,8 @@ namespace slipstitch {
 BodyInertia::BodyInertia(const Model& model) {
   if (!model.effects.inertia) return;
   bodies_ = model.bodies;
-  start_.resize(bodies_.size());
-  start_momentum_.resize(bodies_.size());
+  start_.resize(bodies_.size(), Vec3::Zero());
+  start_momentum_.resize(bodies_.size(), Vec3::Zero());
 }
 
 void BodyInertia::begin_step(const StepContext& step) {

@@ -30,7 +30,7 @@ class BodyInertia {
 
  private:
   std::vector<Body> bodies_;
-  double h_ = 0.0;                            // [s]
+  double h_ = kNoStepYet;                     // [s]
   std::vector<Vec3> start_, start_momentum_;  // of every centre [m], p_n [kg m/s]
 };
 static_assert(ForceTerm<BodyInertia>);

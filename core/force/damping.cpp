@@ -119,10 +119,9 @@ DampingWrapping::DampingWrapping(const Model& model) {
   if (!model.effects.damping || !(model.effects.damping->wrapping_ns > 0.0)) return;
   const Wrapping wraps(model);
   for (int k = 0; k < wraps.size(); ++k) {
-    const StitchContact& c = model.topology.contacts[static_cast<std::size_t>(wraps.contact(k))];
     coords_.push_back(wraps.coords(k));
-    eta_length_.push_back(model.effects.damping->wrapping_ns *
-                          rest_length(model.topology, std::min(c.u_visit[0], c.u_visit[1])));
+    length_.push_back(wraps.wrap(k).L);
+    eta_length_.push_back(model.effects.damping->wrapping_ns * length_.back());
   }
   start_.resize(coords_.size());
 }
@@ -135,12 +134,12 @@ void DampingWrapping::begin_step(const StepContext& step) {
 
 double DampingWrapping::eval(int k, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) const {
   const auto i = static_cast<std::size_t>(k);
-  return wrapping_energy(eta_length_[i] / h_, start_[i], 0.0, q, g, hess);
+  return wrapping_energy({eta_length_[i] / h_, start_[i], length_[i]}, 0.0, q, g, hess);
 }
 
 void DampingWrapping::convex_hessian(int k, const Vec<12>& q, Mat<12>& hess) const {
   const auto i = static_cast<std::size_t>(k);
-  convex_wrapping_hessian(eta_length_[i] / h_, start_[i], q, hess);
+  convex_wrapping_hessian({eta_length_[i] / h_, start_[i], length_[i]}, q, hess);
 }
 
 DampingSliding::DampingSliding(const Model& model) {

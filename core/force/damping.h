@@ -30,7 +30,7 @@ class DampingStretch {
   std::vector<std::array<int, kSize>> coords_;  // (size)
   std::vector<double> eta_length_;              // eta D_rest [N s m] (size)
   std::vector<double> start_;                   // lambda_n (size)
-  double h_ = 0.0;
+  double h_ = kNoStepYet;
 };
 static_assert(ForceTerm<DampingStretch>);
 
@@ -53,7 +53,7 @@ class DampingBending {
   std::vector<std::array<int, kSize>> coords_;  // (size)
   std::vector<double> eta_by_length_;           // eta / W_rest [N m s] (size)
   std::vector<double> start_;                   // measure at the start of the step (size)
-  double h_ = 0.0;
+  double h_ = kNoStepYet;
 };
 static_assert(ForceTerm<DampingBending>);
 
@@ -72,9 +72,9 @@ class DampingWrapping {
 
  private:
   std::vector<std::array<int, kSize>> coords_;  // (size)
-  std::vector<double> eta_length_;              // eta L [N m s] (size)
+  std::vector<double> eta_length_, length_;     // eta L [N m s], L [m] (size)
   std::vector<double> start_;                   // psi_n (size)
-  double h_ = 0.0;
+  double h_ = kNoStepYet;
 };
 static_assert(ForceTerm<DampingWrapping>);
 
@@ -94,7 +94,7 @@ class DampingSliding {
   double d_f_ = 0.0;         // [N s/m]
   std::vector<int> coord_;   // (size)
   std::vector<double> start_;  // u_n [m] (size)
-  double h_ = 0.0;
+  double h_ = kNoStepYet;
 };
 static_assert(ForceTerm<DampingSliding>);
 

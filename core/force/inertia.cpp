@@ -32,9 +32,9 @@ Inertia::Inertia(const Model& model) {
     owner_.push_back(owner);
     node_owner_.push_back(node_owner);
   });
-  mass_.resize(coords_.size());
-  linear_.resize(coords_.size());
-  start_.resize(coords_.size());
+  mass_.resize(coords_.size(), Mat<8>::Zero());
+  linear_.resize(coords_.size(), Vec<8>::Zero());
+  start_.resize(coords_.size(), Vec<8>::Zero());
 }
 
 Mat<8> Inertia::mass(int k, const Vec<8>& q) const {

@@ -41,7 +41,7 @@ class Inertia {
   std::vector<std::array<double, 2>> arc_mass_;  // m_u share on u0 and u1 [kg] (size)
   std::vector<std::array<bool, 2>> owner_;      // whether this stencil carries p of its first, second visit (size x 2)
   std::vector<std::array<bool, 2>> node_owner_;  // the same for the positions (size x 2)
-  double h_ = 0.0;                              // [s]
+  double h_ = kNoStepYet;                       // [s]
   std::vector<Mat<8>> mass_;                    // M_n (size)
   std::vector<Vec<8>> linear_;                  // this stencil's share of p_n + h dT/dq_n (size)
   std::vector<Vec<8>> start_;                   // q_n (size)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <concepts>
+#include <limits>
 #include <string_view>
 
 #include "math/types.h"
@@ -15,6 +16,9 @@ struct StepContext {
   double h = 0.0;      // step [s]
   const State& start;  // state at the beginning of the step
 };
+
+/// h before the first step: change costs nothing.
+inline constexpr double kNoStepYet = std::numeric_limits<double>::infinity();
 
 /// One effect: a pool of stencils, each a smooth function of kSize full coordinates. A pool whose effect is off is
 /// empty. Energies in J; rate-dependent effects give the incremental potential of the step, so that minus its

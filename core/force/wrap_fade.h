@@ -5,15 +5,18 @@
 
 namespace slipstitch {
 
-/// How much of a wrap acts where a yarn runs nearly straight through the contact and psi loses its meaning:
-///   S(sin a / 0.3) S(sin b / 0.3), a = angle(e, x4 - x0), b = angle(e, x3 - x1), S the C2 smoothstep.
-/// Exactly 1 where both sines are >= 0.3, exactly 0 where one is below 1e-9 or an edge has no length.
+/// How much of a wrap acts where its triangles degenerate and psi loses its meaning: where a yarn runs nearly straight
+/// through the contact, or one of the edges axis = x1 - x0, a = x4 - x0, b = x3 - x1 has nearly no length:
+///   S(sin(axis, a)/0.3) S(sin(axis, b)/0.3) S(1000 |axis|/L) S(1000 |a|/L) S(1000 |b|/L),
+/// S the C2 smoothstep, L [m] the contact's rest length. Exactly 1 where no argument is below 1, exactly 0 where a sine
+/// is below 1e-9 or a length below 1e-9 of L/1000.
 inline constexpr double kWrapFadeSine = 0.3;
-inline constexpr double kWrapGoneSine = 1e-9;
+inline constexpr double kWrapFadeLength = 1e-3;
+inline constexpr double kWrapGone = 1e-9;
 
-double wrap_fade(const Vec3& x0, const Vec3& x1, const Vec3& x3, const Vec3& x4);
+double wrap_fade(const Vec<12>& q, double L);
 
 /// The fade; first and second derivative where non-null. Order x0, x1, x3, x4.
-double wrap_fade_derivatives(const Vec<12>& q, Vec<12>* g, Mat<12>* hess);
+double wrap_fade_derivatives(const Vec<12>& q, double L, Vec<12>* g, Mat<12>* hess);
 
 }  // namespace slipstitch

@@ -43,9 +43,9 @@ Jet2 wrap_well(double t) {
   return {0.5 * a * a + w * (a * area + w * moment), t * (1.0 - S.f), 1.0 - S.f - r * S.d / w};
 }
 
-double wrapping_energy(double k, double rest, double offset, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) {
+double wrapping_energy(const Wrap& wrap, double offset, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) {
   const bool derivatives = g || hess;
-  const double fade = wrap_fade(node(q, 0), node(q, 1), node(q, 2), node(q, 3));
+  const double k = wrap.k, fade = wrap_fade(q, wrap.L);
   if (!(fade > 0.0)) {
     if (g) g->setZero();
     if (hess) hess->setZero();
@@ -53,14 +53,14 @@ double wrapping_energy(double k, double rest, double offset, const Vec<12>& q, V
   }
   Vec<12> dpsi;
   const double psi = wrap_angle_derivatives(q, derivatives ? &dpsi : nullptr, hess);
-  Jet2 E = wrap_well(wrap_excess(psi, rest));
+  Jet2 E = wrap_well(wrap_excess(psi, wrap.rest));
   E.f += offset;
   if (hess) *hess = (k * fade * E.d) * *hess + (k * fade * E.dd) * dpsi * dpsi.transpose();
   if (g) *g = (k * fade * E.d) * dpsi;
   if (derivatives && fade < 1.0) {
     Vec<12> dS;
     Mat<12> ddS;
-    wrap_fade_derivatives(q, &dS, hess ? &ddS : nullptr);
+    wrap_fade_derivatives(q, wrap.L, &dS, hess ? &ddS : nullptr);
     if (g) *g += (k * E.f) * dS;
     if (hess) {
       const Vec<12> turn = (k * E.d) * dpsi;
@@ -70,13 +70,13 @@ double wrapping_energy(double k, double rest, double offset, const Vec<12>& q, V
   return k * fade * E.f;
 }
 
-void convex_wrapping_hessian(double k, double rest, const Vec<12>& q, Mat<12>& hess) {
-  const double fade = wrap_fade(node(q, 0), node(q, 1), node(q, 2), node(q, 3));
+void convex_wrapping_hessian(const Wrap& wrap, const Vec<12>& q, Mat<12>& hess) {
+  const double fade = wrap_fade(q, wrap.L);
   hess.setZero();
   if (!(fade > 0.0)) return;
   Vec<12> dpsi;
   const double psi = wrap_angle_derivatives(q, &dpsi, nullptr);
-  hess = (k * fade * std::max(0.0, wrap_well(wrap_excess(psi, rest)).dd)) * dpsi * dpsi.transpose();
+  hess = (wrap.k * fade * std::max(0.0, wrap_well(wrap_excess(psi, wrap.rest)).dd)) * dpsi * dpsi.transpose();
 }
 
 Wrapping::Wrapping(const Model& model, WrapFadeForm form)
@@ -92,8 +92,7 @@ Wrapping::Wrapping(const Model& model, WrapFadeForm form)
     for (const auto& nodes : {std::array{c.q0, c.q1, c.q3, c.q4}, std::array{c.q1, c.q0, c.q2, c.q5}}) {
       if (nodes[2] < 0 || nodes[3] < 0) continue;
       coords_.push_back(node_coords(topology, nodes));
-      stiffness_.push_back(k_w * L);
-      rest_angle_.push_back(c.sign * effect->rest_angle_rad);
+      wraps_.push_back({k_w * L, c.sign * effect->rest_angle_rad, L});
       contact_.push_back(static_cast<int>(i));
     }
   }
@@ -101,22 +100,24 @@ Wrapping::Wrapping(const Model& model, WrapFadeForm form)
 
 double Wrapping::naive_energy(std::size_t k, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) const {
   const bool flips = naive_.unsigned_angle && wrap_angle(node(q, 0), node(q, 1), node(q, 2), node(q, 3)) < 0.0;
-  const double rest = naive_.unsigned_angle ? std::abs(rest_angle_[k]) : rest_angle_[k];
+  Wrap wrap = wraps_[k];
+  if (naive_.unsigned_angle) wrap.rest = std::abs(wrap.rest);
   if (!flips) {
-    return naive_.unfaded_wraps ? bare_wrapping_energy(stiffness_[k], rest, q, g, hess)
-                                : wrapping_energy(stiffness_[k], rest, offset_, q, g, hess);
+    return naive_.unfaded_wraps ? bare_wrapping_energy(wrap.k, wrap.rest, q, g, hess)
+                                : wrapping_energy(wrap, offset_, q, g, hess);
   }
   // What the printed formulas give: |psi| in the energy and in the factor of derivatives that are those of psi.
   Vec<12> dpsi;
   Mat<12> ddpsi;
-  const double t = -wrap_angle_derivatives(q, &dpsi, &ddpsi) - rest;
-  if (g) *g = stiffness_[k] * t * dpsi;
-  if (hess) *hess = stiffness_[k] * (dpsi * dpsi.transpose() + t * ddpsi);
-  return 0.5 * stiffness_[k] * t * t;
+  const double t = -wrap_angle_derivatives(q, &dpsi, &ddpsi) - wrap.rest;
+  if (g) *g = wrap.k * t * dpsi;
+  if (hess) *hess = wrap.k * (dpsi * dpsi.transpose() + t * ddpsi);
+  return 0.5 * wrap.k * t * t;
 }
 
 double Wrapping::least_energy() const {
-  return std::min(0.0, offset_) * std::accumulate(stiffness_.begin(), stiffness_.end(), 0.0);
+  const auto add = [](double sum, const Wrap& wrap) { return sum + wrap.k; };
+  return std::min(0.0, offset_) * std::accumulate(wraps_.begin(), wraps_.end(), 0.0, add);
 }
 
 }  // namespace slipstitch

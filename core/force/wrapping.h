@@ -16,12 +16,18 @@ namespace slipstitch {
 /// [Cirio et al. 2017, Yarn-level cloth simulation with sliding persistent contacts]
 double bare_wrapping_energy(double k, double rest, const Vec<12>& q, Vec<12>* g, Mat<12>* hess);
 
-/// The energy in use, smooth everywhere: V = k S (E(t) + offset), t = psi - rest brought into (-pi, pi],
+struct Wrap {
+  double k = 0.0;     // k_w L [N m]
+  double rest = 0.0;  // [rad]
+  double L = 0.0;     // rest length of the contact [m]
+};
+
+/// The energy in use, C2 everywhere: V = k S (E(t) + offset), t = psi - rest brought into (-pi, pi],
 /// S = wrap_fade, E = wrap_well. The derivatives are exact also where it fades.
-double wrapping_energy(double k, double rest, double offset, const Vec<12>& q, Vec<12>* g, Mat<12>* hess);
+double wrapping_energy(const Wrap& wrap, double offset, const Vec<12>& q, Vec<12>* g, Mat<12>* hess);
 
 /// k S E''(t) dpsi dpsi^T, the part that is never negative.
-void convex_wrapping_hessian(double k, double rest, const Vec<12>& q, Mat<12>& hess);
+void convex_wrapping_hessian(const Wrap& wrap, const Vec<12>& q, Mat<12>& hess);
 
 /// t^2/2 for |t| <= pi - 0.1; from there E' = t (1 - smoothstep) falls to 0 at +-pi, so that E, periodic, is C2 there.
 Jet2 wrap_well(double t);
@@ -48,19 +54,18 @@ class Wrapping {
   double eval(int k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const {
     const auto i = static_cast<std::size_t>(k);
     if (naive_.unsigned_angle || naive_.unfaded_wraps) [[unlikely]] return naive_energy(i, q, g, hess);
-    return wrapping_energy(stiffness_[i], rest_angle_[i], offset_, q, g, hess);
+    return wrapping_energy(wraps_[i], offset_, q, g, hess);
   }
   void convex_hessian(int k, const Vec<kSize>& q, Mat<kSize>& hess) const {
-    const auto i = static_cast<std::size_t>(k);
-    convex_wrapping_hessian(stiffness_[i], rest_angle_[i], q, hess);
+    convex_wrapping_hessian(wrap(k), q, hess);
   }
   void begin_step(const StepContext&) {}
 
   /// Below which the sum of all energies cannot fall [J]: every wrap at rest, S = 1 and E = 0.
   double least_energy() const;
 
-  int contact(int k) const { return contact_[static_cast<std::size_t>(k)]; }           // index of its stitch contact
-  double rest_angle(int k) const { return rest_angle_[static_cast<std::size_t>(k)]; }  // s psi0 [rad]
+  int contact(int k) const { return contact_[static_cast<std::size_t>(k)]; }  // index of its stitch contact
+  const Wrap& wrap(int k) const { return wraps_[static_cast<std::size_t>(k)]; }  // its rest angle is s psi0
 
  private:
   double naive_energy(std::size_t k, const Vec<kSize>& q, Vec<kSize>* g, Mat<kSize>* hess) const;
@@ -68,8 +73,7 @@ class Wrapping {
   Naive naive_;
   double offset_ = 0.0;                         // added to E(t)
   std::vector<std::array<int, kSize>> coords_;  // (size)
-  std::vector<double> stiffness_;               // k_w L [N m] (size)
-  std::vector<double> rest_angle_;              // s psi0 [rad] (size)
+  std::vector<Wrap> wraps_;                     // (size)
   std::vector<int> contact_;                    // (size)
 };
 static_assert(ForceTerm<Wrapping>);

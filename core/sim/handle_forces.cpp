@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "sim/handle_forces.h"
 
+#include <cmath>
+
 #include "sim/simulation.h"
 
 namespace slipstitch {
@@ -32,7 +34,7 @@ const std::vector<Vec3>& HandleForces::observe(const Simulation& sim) {
     HandleForce& force = report_[i];
     force.reaction_n = total_[i];
     const double size = total_[i].norm();
-    if (size <= force.max_reaction_n) continue;  // NaN before the first step
+    if (std::islessequal(size, force.max_reaction_n)) continue;  // NaN before the first step
     force.max_reaction_n = size;
     force.max_reaction_t_s = sim.state().t;
   }

@@ -24,8 +24,6 @@ Vec<12> gather(const std::array<int, 12>& coords, const VecX& q) {
   return x;
 }
 
-bool is_faded(const Vec<12>& x) { return wrap_fade_derivatives(x, nullptr, nullptr) < 1.0; }
-
 bool interior(const Topology& topo, const StitchContact& contact) {
   if (contact.stitch < 0) return false;
   const Stitch& s = topo.stitches[static_cast<std::size_t>(contact.stitch)];
@@ -83,8 +81,8 @@ void Monitor::observe_wraps(const Simulation& sim) {
     const Vec<12> x = gather(wraps.coords(k), sim.state().q);
     const double psi = wrap_angle(x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9));
     const auto i = static_cast<std::size_t>(k);
-    count_entry(wrap_in_cap(wrap_excess(psi, wraps.rest_angle(k))), in_cap_[i], ridge_entries_);
-    count_entry(is_faded(x), faded_[i], fade_entries_);
+    count_entry(wrap_in_cap(wrap_excess(psi, wraps.wrap(k).rest)), in_cap_[i], ridge_entries_);
+    count_entry(wrap_fade(x, wraps.wrap(k).L) < 1.0, faded_[i], fade_entries_);
   }
 }
 
@@ -132,7 +130,7 @@ void Monitor::report(const Simulation& sim, RunSummary& summary) const {
   if (wraps.size() == 0) return;
   FadeCount all, inner;
   for (int k = 0; k < wraps.size(); ++k) {
-    const bool faded = is_faded(gather(wraps.coords(k), q));
+    const bool faded = wrap_fade(gather(wraps.coords(k), q), wraps.wrap(k).L) < 1.0;
     const bool inside = interior(topo, topo.contacts[static_cast<std::size_t>(wraps.contact(k))]);
     all.wraps += 1;
     all.faded += faded;

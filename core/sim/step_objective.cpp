@@ -29,8 +29,6 @@ double angle(const Vec<12>& x) {
   return wrap_angle(x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9));
 }
 
-double fade(const Vec<12>& x) { return wrap_fade_derivatives(x, nullptr, nullptr); }
-
 }  // namespace
 
 double StepObjective::value(const VecX& y) {
@@ -132,7 +130,8 @@ bool StepObjective::turns_too_far(const VecX& q, const VecX& dq, double a) const
     const auto coords = wraps.coords(k);
     const Vec<12> x = gather(coords, q), moved = x + a * gather(coords, dq);
     if (std::abs(wrap_excess(angle(moved), angle(x))) <= kLargestTurn) continue;
-    if (fade(x) > 0.0 && fade(moved) > 0.0) return true;  // along the axis psi means nothing
+    const double L = wraps.wrap(k).L;
+    if (wrap_fade(x, L) > 0.0 && wrap_fade(moved, L) > 0.0) return true;  // where it is gone psi means nothing
   }
   return false;
 }

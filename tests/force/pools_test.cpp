@@ -64,9 +64,9 @@ TEST(Pools, WrapBothDiagonalsWithTheSignOfTheStitch) {
   };
   EXPECT_EQ(nodes(0), (std::array{1, 2, 4, 0}));  // q0 q1 q3 q4
   EXPECT_EQ(nodes(1), (std::array{2, 1, 6, 3}));  // q1 q0 q2 q5
-  EXPECT_EQ(wrapping.rest_angle(0), kPi / 2);
-  EXPECT_EQ(wrapping.rest_angle(1), kPi / 2);
-  EXPECT_EQ(wrapping.rest_angle(2), -kPi / 2);
+  EXPECT_EQ(wrapping.wrap(0).rest, kPi / 2);
+  EXPECT_EQ(wrapping.wrap(1).rest, kPi / 2);
+  EXPECT_EQ(wrapping.wrap(2).rest, -kPi / 2);
 }
 
 // V of the first stencil at the start, by the definition.
@@ -78,7 +78,7 @@ TEST(Pools, WrapStiffnessIsAlphaEIOverSquaredRestLengthUnlessGiven) {
     Vec<12> q;
     for (int i = 0; i < 12; ++i) q[i] = model.start_q[wrapping.coords(0)[static_cast<std::size_t>(i)]];
     const double psi = wrap_angle(q.segment<3>(0), q.segment<3>(3), q.segment<3>(6), q.segment<3>(9));
-    const double fade = wrap_fade(q.segment<3>(0), q.segment<3>(3), q.segment<3>(6), q.segment<3>(9));
+    const double fade = wrap_fade(q, L);
     return wrapping.eval(0, q, nullptr, nullptr) / (0.5 * std::pow(wrap_excess(psi, kPi / 2), 2) * fade);
   };
   model.effects.wrapping->alpha = 0.4;

@@ -22,7 +22,7 @@ Vec<12> hinge_with_sines(double sin_a, double sin_b, double side_a, double side_
   return kMm * q;
 }
 
-double fade_of(const Vec<12>& q) { return wrap_fade(node(q, 0), node(q, 1), node(q, 2), node(q, 3)); }
+double fade_of(const Vec<12>& q) { return wrap_fade(q, kMm); }
 
 TEST(WrapFade, IsOneOutsideAndZeroOnTheAxisAtEitherSide) {
   for (double side : {-1.0, 1.0}) {
@@ -38,7 +38,7 @@ TEST(WrapFade, IsOneOutsideAndZeroOnTheAxisAtEitherSide) {
 TEST(WrapFade, ReportsTheValueThatItDifferentiates) {
   for (double s : {0.5, 0.29, 0.1, 1e-3}) {
     const Vec<12> q = hinge_with_sines(s, 0.2, -1, 1);
-    const auto eval = [](const Vec<12>& at, Vec<12>* g, Mat<12>* h) { return wrap_fade_derivatives(at, g, h); };
+    const auto eval = [](const Vec<12>& at, Vec<12>* g, Mat<12>* h) { return wrap_fade_derivatives(at, kMm, g, h); };
     EXPECT_EQ(eval(q, nullptr, nullptr), fade_of(q));
     expect_exact_derivatives(q, 1e-3 * s * kMm, 2, with_dynamic_size<12>(eval));
   }
@@ -49,7 +49,7 @@ struct Evaluated {
   double V;
   Vec<12> g;
   Mat<12> hess;
-  Evaluated(const Vec<12>& q, double rest, double offset) { V = wrapping_energy(1.0, rest, offset, q, &g, &hess); }
+  Evaluated(const Vec<12>& q, double rest, double offset) { V = wrapping_energy({1.0, rest, kMm}, offset, q, &g, &hess); }
 };
 
 constexpr std::array<double, 2> kOffsets{0.0, -kPi* kPi / 6};

@@ -36,12 +36,11 @@ std::vector<double> faded_by_wale(const Simulation& sim) {
     if (stitch < 0) continue;
     const Stitch& s = topology.stitches[static_cast<std::size_t>(stitch)];
     if (s.course < 3 || s.course > topology.num_courses - 2) continue;
-    const auto x = [&](int slot) {
-      return Vec3(sim.state().q.segment<3>(wraps.coords(k)[static_cast<std::size_t>(3 * slot)]));
-    };
+    Vec<12> x;
+    for (int i = 0; i < 12; ++i) x[i] = sim.state().q[wraps.coords(k)[static_cast<std::size_t>(i)]];
     const auto wale = static_cast<std::size_t>(s.wale - 1);
     all[wale] += 1.0;
-    faded[wale] += wrap_fade(x(0), x(1), x(2), x(3)) < 1.0 ? 1.0 : 0.0;
+    faded[wale] += wrap_fade(x, wraps.wrap(k).L) < 1.0 ? 1.0 : 0.0;
   }
   for (std::size_t w = 0; w < wales; ++w) faded[w] = all[w] > 0.0 ? faded[w] / all[w] : 0.0;
   return faded;
