@@ -51,7 +51,8 @@ struct Reading {
 
 struct CellResult {
   Outcome outcome = Outcome::failed;
-  std::string why;  // of a refusal or a failure
+  std::string why;       // of a refusal or a failure
+  bool gave_up = false;  // the failure is that the solver did not get to the end; what it did is sound
   std::vector<Reading> readings;
   RunSummary summary;
   long passages = 0;      // of yarn through yarn that is no neighbour

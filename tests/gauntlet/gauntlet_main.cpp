@@ -19,7 +19,8 @@ struct Options {
   bool plain = false;  // every case as it is, once
   bool naive = false;  // and once more with each naive variant
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  int random = 0;  // scenes from seeds, in place of the cases
+  int random = 0;  // scenes from seeds
+  bool only_random = false;
   std::uint64_t seed = 1;
 };
 

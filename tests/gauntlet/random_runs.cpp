@@ -45,7 +45,7 @@ RandomTally run_random(std::uint64_t first, int count, int jobs,
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::lock_guard lock(one_at_a_time);
     ++tally.outcomes[static_cast<std::size_t>(result.outcome)];
-    if (result.outcome == Outcome::failed) tally.failures.push_back({seed, item.about, result.why});
+    if (result.outcome == Outcome::failed) tally.failures.push_back({seed, item.about, result.why, result.gave_up});
     if (on_run) on_run(item, result, wall);
   });
   std::sort(tally.failures.begin(), tally.failures.end(), [](const auto& a, const auto& b) { return a.seed < b.seed; });
@@ -55,10 +55,12 @@ RandomTally run_random(std::uint64_t first, int count, int jobs,
 std::string random_text(const RandomTally& tally) {
   std::string text;
   for (const RandomTally::Failure& failure : tally.failures)
-    text += "seed " + std::to_string(failure.seed) + ": " + failure.why + " (" + failure.about + ")\n";
+    text += "seed " + std::to_string(failure.seed) + (failure.gave_up ? " gave up: " : " broke: ") + failure.why +
+            " (" + failure.about + ")\n";
   const auto count = [&](Outcome outcome) { return std::to_string(tally.count(outcome)); };
   return text + "random scenes: " + count(Outcome::passed) + " pass, " + count(Outcome::cut) +
-         " pass with steps cut, " + count(Outcome::refused) + " are refused, " + count(Outcome::failed) + " fail\n";
+         " pass with steps cut, " + count(Outcome::refused) + " are refused, " + count(Outcome::failed) + " fail, " +
+         std::to_string(tally.gave_up()) + " of them because the solver gave up\n";
 }
 
 std::string random_markdown(std::uint64_t first, const RandomTally& tally) {

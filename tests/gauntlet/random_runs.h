@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -15,10 +16,15 @@ struct RandomTally {
   struct Failure {
     std::uint64_t seed = 0;
     std::string about, why;
+    bool gave_up = false;  // see CellResult
   };
   std::array<int, 4> outcomes{};  // by Outcome
   std::vector<Failure> failures;
 
+  int gave_up() const {
+    return static_cast<int>(
+        std::count_if(failures.begin(), failures.end(), [](const Failure& failure) { return failure.gave_up; }));
+  }
   int count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
 };
 

@@ -20,6 +20,7 @@ namespace {
 constexpr int kScenes = 300;  // that are looked at
 constexpr int kRuns = 100;    // that are run
 constexpr int kMostRefused = kRuns / 20;
+constexpr int kMostGivenUp = 3;  // of them, where the solver is known to be weak: docs/stability.md
 
 TEST(Dice, ThrowTheSameOnEveryPlatform) {
   Dice dice(5489);  // the seed for which the standard gives a number
@@ -164,11 +165,12 @@ TEST(RandomScenes, HaveEverythingBetweenThem) {
 
 TEST(RandomScenes, BreakNoInvariant) {
   const RandomTally tally = run_random(1, kRuns, 1, {});
+  std::printf("%s", random_text(tally).c_str());
   for (const auto& failure : tally.failures)
-    ADD_FAILURE() << "seed " << failure.seed << ": " << failure.why << " (" << failure.about << ")";
-  std::printf("%d passed, %d cut, %d refused\n", tally.count(Outcome::passed), tally.count(Outcome::cut),
-              tally.count(Outcome::refused));
+    if (!failure.gave_up)
+      ADD_FAILURE() << "seed " << failure.seed << ": " << failure.why << " (" << failure.about << ")";
   EXPECT_LE(tally.count(Outcome::refused), kMostRefused);
+  EXPECT_LE(tally.gave_up(), kMostGivenUp);
 }
 
 }  // namespace

@@ -161,10 +161,12 @@ CellResult run_cell(const GauntletCase& item, const Settings& settings) {
   const RunSummary& summary = result.summary;
   if (summary.status == RunStatus::failed) {
     result.why = summary.message;
+    result.gave_up = true;
     if (item.limits.impossible && names_place_effect_and_time(summary.message)) result.outcome = Outcome::refused;
     return result;
   }
   if (summary.status == RunStatus::cancelled) {
+    result.gave_up = true;
     result.why = "not at its end after " + std::to_string(summary.steps) + " steps and " +
                  std::to_string(summary.newton_iterations) +
                  " Newton iterations, at t = " + number_text(summary.sim_time_s) + " s";
