@@ -11,8 +11,12 @@ StickSlip::Pull StickSlip::pull(const Vec3& x) const {
   const bool sticks = k * way <= limit;
   pull.force_over_way = sticks ? k : limit / way;
   pull.value = sticks ? 0.5 * k * way * way : limit * way - limit * limit / (2.0 * k);
-  pull.stiffness = pull.force_over_way * along;
-  if (!sticks) pull.stiffness -= pull.force_over_way / (way * way) * pull.way * pull.way.transpose();
+  if (sticks) {
+    pull.stiffness = k * along;
+  } else {  // across the way only; as a square, which round-off leaves positive
+    const Vec3 across = normal.cross(pull.way) / way;
+    pull.stiffness = pull.force_over_way * across * across.transpose();
+  }
   return pull;
 }
 

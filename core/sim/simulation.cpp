@@ -137,7 +137,8 @@ bool Simulation::push_out_of_scripts(VecX& start, StepReport& report) {
   VecX push = start;
   push_out(forces_, state_.q, start);
   push = start - push;
-  int farthest = 0;  // arc lengths are never pushed
+  if (state_.t == 0.0) return true;  // what a scene starts within a body comes out of it, however far
+  int farthest = 0;                  // arc lengths are never pushed
   if (push.cwiseAbs().maxCoeff(&farthest) <= kFarthestPush * model_.yarn.radius_m) return true;
   report.fault = StepFault::far_push;
   report.worst_coord = farthest;
