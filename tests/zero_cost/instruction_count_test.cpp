@@ -22,8 +22,8 @@ std::string count_steps(const std::string& program, const std::string& profile) 
   return text;
 }
 
-/// What of a profile the C library's allocator took. How far it searches depends on how the heap lies, which programs of
-/// different size differ in, more than on what is asked of it.
+/// What of a profile the C library's allocator took. How far it searches depends on how the heap lies, which programs
+/// of different size differ in, more than on what is asked of it.
 long in_allocator(const std::string& profile) {
   const std::string sum = output_of("callgrind_annotate --tree=none --threshold=100 " + profile +
                                     " | awk '/malloc[.]c:/ { gsub(\",\", \"\", $1); sum += $1 } END { print sum }'");
@@ -62,8 +62,8 @@ TEST(ZeroCost, NoFunctionOfAnEffectThatIsOffIsCalled) {
   const std::string called = output_of("grep -h '^c\\?fn=' " + profile);
   const std::string known = output_of("nm -C " + in_bin("swatch_run_all_terms"));
   EXPECT_NE(called.find("slipstitch::Stretch::eval("), std::string::npos) << "the profile names no functions";
-  for (const char* off : {"set_bending_energy(", "convex_set_bending(", "crept_set(", "scale_arc_rows(", "air_velocity(",
-                          "NearSegments::cover(", "RigidBody::distance(", "estimate_normal_forces("}) {
+  for (const char* off : {"set_bending_energy(", "convex_set_bending(", "crept_set(", "scale_arc_rows(",
+                          "air_velocity(", "NearSegments::cover(", "RigidBody::distance(", "estimate_normal_forces("}) {
     EXPECT_NE(known.find(off), std::string::npos) << off << " is not the name of a function";
     EXPECT_EQ(called.find(off), std::string::npos) << off;
   }
