@@ -26,10 +26,10 @@ GauntletCase stretched() {
 
 GauntletCase compressed() {
   GauntletCase item =
-      named("compressed-30", "pressed between two edges to three tenths of what is free of them", swatch(6, 6));
+      named("compressed-30", "pressed between two edges to three tenths of what is free of them", swatch(5, 12));
   item.scene.effects.self_collision.emplace();
-  item.scene.handles = {pin(Edge::left), Handle{Edge::right, {{0.4, {-8.1e-3, 0, 0}, Vec3::Zero()}}}};
-  item.scene.duration_s = 0.4;
+  item.scene.handles = {pin(Edge::left), Handle{Edge::right, {{0.4, {-20.3e-3, 0, 0}, Vec3::Zero()}}}};
+  item.scene.duration_s = 0.4;  // six wales would leave no room for the two layers of the fold
   item.limits.max_stretch = 4.0;
   item.limits.max_ridge_entries = 20;
   item.limits.max_fade_entries = 40;
