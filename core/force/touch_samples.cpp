@@ -27,7 +27,7 @@ double first_slack(double overlap, double before, double deepest) {
 
 double next_slack(double slack, double overlap, double deepest) {
   const double left = std::max(0.0, deepest - (overlap - slack));
-  return std::max(0.0, slack - kTightened * left);
+  return std::clamp(slack - kTightened * left, 0.0, std::max(0.0, overlap));
 }
 
 TouchSamples::TouchSamples(const Model& model, double spacing, TouchPoints points) : spacing_(spacing) {
@@ -39,7 +39,7 @@ TouchSamples::TouchSamples(const Model& model, double spacing, TouchPoints point
     const auto v = static_cast<std::size_t>(i);
     const int n0 = topology.visit_node[v], n1 = topology.visit_node[v + 1];
     const int x0 = topology.x_coord(n0), x1 = topology.x_coord(n1);
-    Segment segment{i, topology.arc_coord(i), {x0, x0 + 1, x0 + 2, x1, x1 + 1, x1 + 2}};
+    Segment segment{i, topology.arc_coord(i), {x0, x0 + 1, x0 + 2, x1, x1 + 1, x1 + 2}, 0, {}};
     const auto add_node = [&](int node, double share) {
       const auto n = static_cast<std::size_t>(node);
       if (!taken[n] && !scripted[n]) samples_.push_back({i, share, segment.coords});
@@ -63,10 +63,24 @@ double TouchSamples::arc_of(const Segment& segment, const VecX& q) const {
 }
 
 void TouchSamples::divide(Segment& segment, int pieces) {
-  for (int k = 1; k < segment.pieces; ++k) samples_[static_cast<std::size_t>(segment.first + k - 1)].in_use = false;
+  for (const int i : segment.points) samples_[static_cast<std::size_t>(i)].in_use = false;
   segment.pieces = pieces;
-  segment.first = size();
-  for (int k = 1; k < pieces; ++k) samples_.push_back({segment.visit, static_cast<double>(k) / pieces, segment.coords});
+  segment.points.clear();
+  for (int k = 1; k < pieces; ++k) add_point(segment, static_cast<double>(k) / pieces);
+}
+
+/// Halves the pieces until there are as many. The points that there were stay, and bear what they bore: where all were
+/// new ones with slack, a body would come deeper each time.
+void TouchSamples::refine(Segment& segment, int pieces) {
+  while (segment.pieces < pieces) {
+    for (int k = 0; k < segment.pieces; ++k) add_point(segment, (k + 0.5) / segment.pieces);
+    segment.pieces *= 2;
+  }
+}
+
+void TouchSamples::add_point(Segment& segment, double share) {
+  segment.points.push_back(size());
+  samples_.push_back({segment.visit, share, segment.coords});
 }
 
 void TouchSamples::tighten(const VecX& q, double deepest, const std::function<double(const Vec3& x)>& overlap) {
@@ -85,12 +99,14 @@ void TouchSamples::follow(const VecX& q, double deepest, const std::function<dou
     const bool far_apart = arc > kFarApart * spacing_ * segment.pieces;
     if (!far_apart && kTooMany * wanted >= segment.pieces) continue;
     double before = std::max(overlap(q.segment<3>(segment.coords[0])), overlap(q.segment<3>(segment.coords[3])));
-    for (int k = 1; k < segment.pieces; ++k) {
-      const TouchSample& old = (*this)[segment.first + k - 1];
-      before = std::max(before, overlap(place_of(old, q)) - old.slack);
+    for (const int i : segment.points) before = std::max(before, overlap(place_of((*this)[i], q)) - (*this)[i].slack);
+    const int first_new = size();
+    if (far_apart) {
+      refine(segment, wanted);
+    } else {
+      divide(segment, wanted);
     }
-    divide(segment, wanted);
-    for (int i = segment.first; i < size(); ++i) {
+    for (int i = first_new; i < size(); ++i) {
       TouchSample& sample = samples_[static_cast<std::size_t>(i)];
       sample.slack = first_slack(overlap(place_of(sample, q)), before, deepest);
       if (sample.slack > 0.0) slack_.push_back(i);

@@ -12,7 +12,7 @@ namespace slipstitch {
 /// Slack of a new point that begins `overlap` deep in something that lets none deeper than `deepest`, where the points
 /// that it stands in for were `before` deep: it takes over what they bear. [m]
 double first_slack(double overlap, double before, double deepest);
-/// That slack a step later: half of what is left to the deepest is made up for.
+/// That slack a step later: half of what is left to the deepest is made up for, and what is not made use of is gone.
 double next_slack(double slack, double overlap, double deepest);
 
 /// A point of a yarn's centreline where it can touch something: x = (1 - share) x0 + share x1 on segment `visit`.
@@ -49,10 +49,13 @@ class TouchSamples {
   struct Segment {
     int visit = 0, arc_coord = 0;  // of u0; u1 is the next
     std::array<int, 6> coords{};
-    int pieces = 0, first = 0;  // points 1 .. pieces - 1 of them, from index `first` on
+    int pieces = 0;           // all alike
+    std::vector<int> points;  // between them: indices of samples
   };
   double arc_of(const Segment& segment, const VecX& q) const;  // of its yarn, stretched [m]
   void divide(Segment& segment, int pieces);
+  void refine(Segment& segment, int pieces);
+  void add_point(Segment& segment, double share);
   void tighten(const VecX& q, double deepest, const std::function<double(const Vec3& x)>& overlap);
   int pieces_for(double arc) const;
 

@@ -9,7 +9,8 @@ namespace slipstitch {
 namespace {
 
 constexpr int kMaxTries = 40;
-constexpr double kMargin = 0.99;  // so that an even way fits at the second look
+constexpr double kFarthestWay = 0.8;  // radii, of which Simulation::step() can get what was gone over out of the way
+constexpr double kMargin = 0.99;      // so that an even way fits at the second look
 
 /// Way of the body's point at p from one time to another.
 double way_at(const RigidBody& from, const RigidBody& to, const Vec3& p) {
@@ -32,7 +33,7 @@ double farthest_body_way(const Simulation& sim, double h) {
     if (collider.motion.empty()) continue;
     from.move_to(sim.state().t);
     to.move_to(sim.state().t + h);
-    const double allowed = std::min(radius, 0.5 * (radius + edge_radius(collider.shape)));
+    const double allowed = std::min(kFarthestWay * radius, 0.5 * (radius + edge_radius(collider.shape)));
     for (int i = 0; i < samples.size(); ++i) {
       if (!samples[i].in_use) continue;
       const Vec3 p = place_of(samples[i], q);
@@ -44,7 +45,7 @@ double farthest_body_way(const Simulation& sim, double h) {
   return farthest;
 }
 
-/// In radii.
+/// Likewise.
 double farthest_handle_way(const Simulation& sim, double h) {
   const Model& model = sim.model();
   if (!model.effects.self_collision && model.bodies.empty()) return 0.0;
@@ -53,7 +54,7 @@ double farthest_handle_way(const Simulation& sim, double h) {
   double farthest = 0.0;
   for (const ScriptedNodes& handle : model.handles)
     for (const int n : handle.nodes) farthest = std::max(farthest, (moved - sim.state().q).segment<3>(3 * n).norm());
-  return farthest / model.yarn.radius_m;
+  return farthest / (kFarthestWay * model.yarn.radius_m);
 }
 
 }  // namespace

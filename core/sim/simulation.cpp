@@ -21,7 +21,7 @@ namespace {
 // Yarn is stiff as k_s/D: in a segment of next to no length the Newton step is small whatever the force, and says
 // nothing.
 constexpr double kKeepArcInAStep = 0.05;
-constexpr double kFarthestPush = 1.5;   // radii; two radii take yarn through yarn
+constexpr double kFarthestPush = 0.9;   // radii, of a node; two against each other take yarn through yarn
 constexpr double kEndsTolerance = 0.1;  // share of the step tolerance to which loose ends are solved
 
 class TimedSolver final : public LinearSolver {
@@ -137,12 +137,18 @@ bool Simulation::push_out_of_scripts(VecX& start, StepReport& report) {
   VecX push = start;
   push_out(forces_, state_.q, start);
   push = start - push;
-  if (state_.t == 0.0) return true;  // what a scene starts within a body comes out of it, however far
-  int farthest = 0;                  // arc lengths are never pushed
-  if (push.cwiseAbs().maxCoeff(&farthest) <= kFarthestPush * model_.yarn.radius_m) return true;
-  report.fault = StepFault::far_push;
-  report.worst_coord = farthest;
-  return false;
+  if (state_.t == 0.0) {  // what a scene starts within a body comes out of it, however far
+    VecX out = state_.q;
+    push_out(forces_, state_.q, out);
+    push -= out - state_.q;
+  }
+  for (int n = 0; n < model_.topology.num_nodes; ++n) {
+    if (push.segment<3>(3 * n).norm() <= kFarthestPush * model_.yarn.radius_m) continue;
+    report.fault = StepFault::far_push;
+    report.worst_coord = 3 * n;
+    return false;
+  }
+  return true;
 }
 
 void Simulation::blame(const VecX& y, StepReport& report) const {

@@ -121,6 +121,7 @@ Scene scene_of(const GauntletCase& item, const Settings& settings) {
   if (settings.step_factor < 1.0) scene.duration_s = std::min(scene.duration_s, kMostSteps * numerics.time_step_s);
   if (settings.quasi_static && !item.about_motion) {
     scene.effects.inertia.reset();
+    numerics.max_newton_iterations = 2000;  // no step is so short that its equilibrium is near
     // Weights and loads do not get less with the stiffness.
     numerics.force_tolerance_n *= std::max(1.0, settings.stiffness_factor);
   }
