@@ -340,6 +340,22 @@ bool SelfCollision::outgrown(const VecX& q) const {
   });
 }
 
+bool SelfCollision::passes(const VecX& q0, const VecX& q) {
+  if (segments_.empty()) return false;
+  const VecX dq = q - q0;
+  watch(q0, dq, 1.0);
+  return std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
+    const auto &a = segments_[static_cast<std::size_t>(pair.a)].coords,
+               &b = segments_[static_cast<std::size_t>(pair.b)].coords;
+    bool passed = false;
+    for_each_point_pair(pair, [&](const std::array<double, 4>& w) {
+      const Vec3 p = at(a, w[1], q0) - at(b, -w[3], q0), dp = at(a, w[1], dq) - at(b, -w[3], dq);
+      passed = passed || first_reach(p, dp, 0.5 * pair.distance) < 1.0;
+    });
+    return passed;
+  });
+}
+
 bool SelfCollision::push_apart(const Pair& pair, const VecX& q0, VecX& q) const {
   const Segment &a = segments_[static_cast<std::size_t>(pair.a)], &b = segments_[static_cast<std::size_t>(pair.b)];
   const std::array<int, 4> x{a.coords[0], a.coords[3], b.coords[0], b.coords[3]};

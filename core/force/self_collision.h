@@ -49,6 +49,8 @@ class SelfCollision {
   /// Largest share <= a of that way on which nothing passes through. Only after `watch` of the same way.
   double max_step(const VecX& q, const VecX& dq, double a) const;
   bool outgrown(const VecX& q) const;
+  /// Whether points pass each other on the way from q0 to q: come as near as half of d.
+  bool passes(const VecX& q0, const VecX& q);
   /// Pairs of segments that overlap at the start and are no neighbours in pattern or yarn; handles may hold one of
   /// them.
   int start_overlaps() const { return start_overlaps_; }

@@ -148,7 +148,9 @@ bool Simulation::push_out_of_scripts(VecX& start, StepReport& report) {
     report.worst_coord = 3 * n;
     return false;
   }
-  return true;
+  if (start == state_.q || !passes(forces_, state_.q, start)) return true;
+  report.fault = StepFault::far_push;
+  return false;
 }
 
 void Simulation::blame(const VecX& y, StepReport& report) const {
