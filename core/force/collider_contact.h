@@ -13,7 +13,7 @@ namespace slipstitch {
 
 /// Yarn against rigid bodies, at points along it: gap = distance of the centreline to the surface, less the radius.
 /// No accepted step leaves a point deeper than a tenth of the radius, or, new among points that let a body between them,
-/// than it began. Between points an edge reaches deeper: a quarter of a radius, or half of one where yarn grows quickly.
+/// than it began. Between points an edge reaches deeper: a third of a radius, or a whole one where yarn grows quickly.
 ///
 /// The stencils are the pairs that can touch within the step; `max_step` keeps all others from doing so.
 class ColliderContact {

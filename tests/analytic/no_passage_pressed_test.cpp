@@ -126,5 +126,59 @@ TEST(NoPassage, AWireCarriesYarnAlong) {
     }
 }
 
+// Points that the yarn gets as it grows begin beyond the wire, as the wire lies deep between those that bear it.
+TEST(NoPassage, AWirePressesYarnAsideThatThenGrows) {
+  struct Case {
+    double radius, pull, below;  // [m], [N], [m]
+  };
+  for (const Case& c : {Case{1e-4, 0.434, 1.312e-3}, Case{1.5e-4, 1.5, 1.4e-3}}) {
+    Scene scene = pressed_let_down(c.pull);
+    scene.effects.damping->sliding_ns_per_m = 0.02;
+    scene.handles[0].motion = {{0.1, Vec3::Zero(), Vec3::Zero()}, {0.4, {0.06, 0, 0}, Vec3::Zero()}};
+    Collider wire;
+    const double x = c.radius + kR;
+    wire.shape = Capsule{{x, -c.below, -0.02}, {x, -c.below, 0.02}, c.radius};
+    wire.friction = 0.0;
+    wire.motion = {{0.1, {-9.9e-4, 0, 0}, Vec3::Zero()}};
+    scene.effects.colliders.emplace().colliders = {wire};
+    double least = 1.0;
+    run_watched(scene, 0.45, [&](const Simulation& sim) {
+      const Vec3 end = position(sim, 0, -1);
+      if (sim.state().t > 0.1 && end.y() < -c.below) least = std::min(least, x - 9.9e-4 + c.below * end.x() / end.y());
+    });
+    EXPECT_GT(least, 0.0) << c.radius;
+    EXPECT_LT(least, x);  // it was pressed
+  }
+}
+
+/// The third yarn is held at every point: there is no way on, and the run has to say so.
+TEST(NoPassage, NoFirstStepTakesALeverThroughHeldYarn) {
+  Scene scene;
+  BareYarn lever;
+  lever.points = {{0, 0, 0}, {0.02, 0, 0}, {0.022, 0, 0}};
+  scene.yarns = {lever, straight_yarn({8e-4, -0.01, 1.3e-3}, {8e-4, 0.01, 1.3e-3}, 10),
+                 straight_yarn({0.0156, -0.01, -3e-3}, {0.0156, 0.01, -3e-3}, 4)};
+  scene.effects.inertia.emplace();
+  scene.effects.stretch.emplace();
+  scene.effects.self_collision.emplace();
+  scene.handles = {pin(0, 0)};
+  for (int point = 0; point <= 4; ++point) scene.handles.push_back(pin(2, point));
+  for (int point = 0; point <= 10; ++point) {
+    scene.handles.push_back(pin(1, point));
+    scene.handles.back().motion = {{0.02, {0, 0, -2e-3}, Vec3::Zero()}};
+  }
+  scene.duration_s = 0.02;
+  double least = 1.0;
+  RunHooks hooks;
+  hooks.on_step = [&](Simulation& sim, const StepReport& report) {
+    const Vec3 x0 = position(sim, 0, 0), x1 = position(sim, 0, 1);
+    if (report.accepted) least = std::min(least, x0.z() + 0.0156 / x1.x() * (x1.z() - x0.z()) + 3e-3);
+  };
+  const RunSummary summary = run(scene, 1, hooks);
+  EXPECT_EQ(summary.status, RunStatus::failed);
+  EXPECT_NE(summary.message.find("scripts"), std::string::npos) << summary.message;
+  EXPECT_GT(least, 1.5 * kR);
+}
+
 }  // namespace
 }  // namespace slipstitch::testing

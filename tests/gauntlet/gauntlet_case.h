@@ -52,7 +52,7 @@ struct Reading {
 struct CellResult {
   Outcome outcome = Outcome::failed;
   std::string why;       // of a refusal or a failure
-  bool gave_up = false;  // the failure is that the solver did not get to the end; what it did is sound
+  bool gave_up = false;  // the failure is that the solver took too long or stopped; what it did is sound
   std::vector<Reading> readings;
   RunSummary summary;
   long passages = 0;      // of yarn through yarn that is no neighbour

@@ -68,6 +68,14 @@ double effort_factor(const Settings& settings) {
   return settings.step_factor < 1.0 ? std::min(1.0 / settings.step_factor, kMostSteps) : 1.0;
 }
 
+/// Whether the run took more than the case gives it.
+bool over_budget(const GauntletCase& item, const Settings& settings, const RunSummary& summary) {
+  const auto over = [&](long used, long limit) {
+    return static_cast<double>(used) > static_cast<double>(limit) * effort_factor(settings);
+  };
+  return over(summary.steps, item.limits.max_steps) || over(summary.newton_iterations, item.limits.max_newton);
+}
+
 /// What the run broke that no single step shows; empty: nothing.
 std::string broken_at_the_end(const GauntletCase& item, const Settings& settings, const CellResult& result,
                               const test::EnergyBudget& budget) {
@@ -80,8 +88,6 @@ std::string broken_at_the_end(const GauntletCase& item, const Settings& settings
   const Limits& limits = item.limits;
   const auto count = [](long n) { return static_cast<double>(n); };
   const Bound bounds[] = {
-      {true, "steps", count(summary.steps), count(limits.max_steps) * effort_factor(settings)},
-      {true, "Newton iterations", count(summary.newton_iterations), count(limits.max_newton) * effort_factor(settings)},
       {true, "ridge entries", count(summary.wrap_ridge_entries.value_or(0)), count(limits.max_ridge_entries)},
       {true, "fade entries", count(summary.wrap_fade_entries.value_or(0)), count(limits.max_fade_entries)},
       {item.scene.effects.self_collision.has_value(), "passages of yarn through yarn", count(result.passages), 0.0},
@@ -174,6 +180,11 @@ CellResult run_cell(const GauntletCase& item, const Settings& settings) {
     return result;
   }
   result.why = broken_at_the_end(item, settings, result, *watch.budget());
+  if (result.why.empty() && over_budget(item, settings, summary)) {
+    result.gave_up = true;
+    result.why = "at its end only after " + std::to_string(summary.steps) + " steps and " +
+                 std::to_string(summary.newton_iterations) + " Newton iterations";
+  }
   if (result.why.empty()) result.outcome = summary.rejected_steps > 0 ? Outcome::cut : Outcome::passed;
   return result;
 }

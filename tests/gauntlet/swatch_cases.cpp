@@ -10,11 +10,10 @@ namespace {
 GauntletCase stretched_and_released() {
   GauntletCase item = named("stretched-300-released", "three times as wide at the start, and let go", swatch(6, 6));
   item.change = placed([](const Vec3& x) { return Vec3(3.0 * x.x(), x.y(), x.z()); });
-  item.limits.max_stretch = 3.5;
+  item.limits.max_stretch = 4.5;
   item.limits.isolated = true;
   item.about_motion = true;
   item.limits.max_ridge_entries = 5;
-  item.limits.max_fade_entries = 20;
   return item;
 }
 
@@ -31,8 +30,7 @@ GauntletCase compressed() {
   item.scene.handles = {pin(Edge::left), Handle{Edge::right, {{0.4, {-20.3e-3, 0, 0}, Vec3::Zero()}}}};
   item.scene.duration_s = 0.4;  // six wales would leave no room for the two layers of the fold
   item.limits.max_stretch = 4.0;
-  item.limits.max_ridge_entries = 20;
-  item.limits.max_fade_entries = 40;
+  item.limits.max_ridge_entries = 50;
   return item;
 }
 
