@@ -150,6 +150,7 @@ bool Simulation::push_out_of_scripts(VecX& start, StepReport& report) {
   }
   if (start == state_.q || !passes(forces_, state_.q, start)) return true;
   report.fault = StepFault::far_push;
+  (start - state_.q).head(3 * model_.topology.num_nodes).cwiseAbs().maxCoeff(&report.worst_coord);
   return false;
 }
 

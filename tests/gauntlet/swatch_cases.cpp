@@ -39,9 +39,9 @@ GauntletCase twisted() {
   item.scene.effects.self_collision.emplace();
   item.scene.handles = {pin(Edge::bottom), Handle{Edge::top, {{1.0, Vec3::Zero(), {0, 10.0 * kPi, 0}}}}};
   item.scene.duration_s = 1.0;
-  item.limits.max_newton = 20000;
-  item.limits.max_ridge_entries = 200;
-  item.limits.max_fade_entries = 150;
+  item.limits.max_newton = 9000;
+  item.limits.max_ridge_entries = 150;
+  item.limits.max_fade_entries = 100;
   return item;
 }
 

@@ -55,6 +55,25 @@ TEST(ZeroCost, TheTermsThatAreOffTakeNoInstructions) {
   EXPECT_EQ(steps_instructions("swatch_run_listed_terms"), listed) << "the count depends on more than the program";
 }
 
+long allocations(const std::string& program) {
+  std::string text =
+      output_of("OPENBLAS_CORETYPE=Haswell OPENBLAS_NUM_THREADS=1 valgrind --leak-check=no --undef-value-errors=no " +
+                in_bin(program) + " 0.0125 2>&1");
+  std::erase(text, ',');
+  const std::size_t at = text.find("total heap usage: ");
+  long count = 0;
+  EXPECT_TRUE(at != std::string::npos && std::sscanf(text.c_str() + at, "total heap usage: %ld", &count) == 1) << text;
+  return count;
+}
+
+// What the count of instructions leaves out.
+TEST(ZeroCost, TheTermsThatAreOffAllocateNothing) {
+  const long all = allocations("swatch_run_all_terms"), listed = allocations("swatch_run_listed_terms");
+  std::printf("%ld allocations with all terms, %ld with those that are on\n", all, listed);
+  EXPECT_GT(listed, 1000);
+  EXPECT_LE(static_cast<double>(all - listed), kAllowed * static_cast<double>(listed));
+}
+
 // Some effects act inside the terms of others, and have none that a list could leave out.
 TEST(ZeroCost, NoFunctionOfAnEffectThatIsOffIsCalled) {
   const std::string profile = ::testing::TempDir() + "slipstitch_called.out";
