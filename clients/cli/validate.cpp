@@ -97,6 +97,12 @@ std::vector<std::string> all_remarks(const Scene& given) {
   };
   for (const int i : never)
     remark(i, "cannot matter here: a bound on the energy shows that the fabric never reaches it");
+  if (never.size() == scene.effects.colliders->colliders.size()) {
+    acting.effects.colliders.reset();
+    for (const std::string& text : remarks_on(acting))
+      if (text.starts_with("effects.colliders is probably missing"))
+        remarks.push_back("effects.colliders has none within reach: " + text.substr(text.find(": ") + 2));
+  }
   for (const int i : colliders_out_of_reach(simulation, stretched, span))
     if (std::find(never.begin(), never.end(), i) == never.end())
       remark(i, "probably cannot matter here: yarn would have to be stretched to twice its length to reach it");
@@ -112,7 +118,8 @@ int validate(const ValidateOptions& options) {
     return kExitFailed;
   }
   const std::string& name = loaded->scene.name;
-  const std::vector<std::string> remarks = all_remarks(loaded->scene);
+  std::vector<std::string> remarks = all_remarks(loaded->scene);
+  if (found.dofs == 0) remarks.push_back("handles hold every node: nothing is left to simulate");
   if (options.json) {
     std::cout << to_json(name, found, remarks).dump(2) << std::endl;
   } else {

@@ -47,11 +47,13 @@ AirDrag::AirDrag(const Model& model) : model_(&model) {
 void AirDrag::begin_step(const StepContext& step) {
   if (coords_.empty()) return;
   h_ = step.h;
-  air_ = air_velocity(model_->effects, step.start.t + step.h);
-  const VecX& q = step.start.q;
+  air_ = air_velocity(model_->effects, step.end_t());
+  const VecX& near = *step.near_q;
   for (std::size_t k = 0; k < coords_.size(); ++k) {
-    start_[k] = q.segment<3>(coords_[k][0]) + q.segment<3>(coords_[k][3]);
-    length_[k] = q[arc_coord_[k] + 1] - q[arc_coord_[k]];
+    start_[k] = step.measured(Vec3(Vec3::Zero()), [&](const VecX& q) {
+      return Vec3(q.segment<3>(coords_[k][0]) + q.segment<3>(coords_[k][3]));
+    });
+    length_[k] = near[arc_coord_[k] + 1] - near[arc_coord_[k]];
   }
 }
 

@@ -15,7 +15,7 @@ struct DragParameters {
 };
 
 /// E = h D_n (1/2 c1 |w|^2 + 1/3 c2 |w|^3), w = (x0 + x1 - start)/(2 h) - air: the velocity of a segment's midpoint
-/// relative to the air over the step, start = x0 + x1 at its beginning. Force -(c1 + c2 |w|) w per metre. Convex.
+/// relative to the air over the step, start = (x0 + x1)*. Force -(c1 + c2 |w|) w per metre. Convex.
 struct DragStep {
   double h = 0.0;             // [s]
   Vec3 air = Vec3::Zero();    // [m/s]
@@ -45,8 +45,8 @@ class AirDrag {
   DragParameters parameters_;
   std::vector<std::array<int, kSize>> coords_;  // x0, x1 (size)
   std::vector<int> arc_coord_;                  // of u0; u1 is the next (size)
-  std::vector<double> length_;                  // D_n [m] (size)
-  std::vector<Vec3> start_;                     // x0 + x1 at the start of the step [m] (size)
+  std::vector<double> length_;                  // D [m] (size)
+  std::vector<Vec3> start_;                     // (x0 + x1)* [m] (size)
   Vec3 air_ = Vec3::Zero();                     // [m/s]
   double h_ = 1.0;                              // [s]; before the first step nothing has a length
 };

@@ -74,7 +74,7 @@ void BodyContact::begin_step(const StepContext& step) {
     return overlap;
   });
   paired_.assign(static_cast<std::size_t>(parts_->all_samples.size()) * bodies_.size(), 0);
-  watch(step.start.q, step.start.v, kTouchReachOfMove * step.h);
+  watch(step.start.q, step.start.v, kTouchReachOfMove * step.duration);
   revision_ = pairs_ == before ? revision : revision + 1;
 }
 

@@ -13,8 +13,9 @@ BodyInertia::BodyInertia(const Model& model) {
 void BodyInertia::begin_step(const StepContext& step) {
   h_ = step.h;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    start_[i] = step.start.q.segment<3>(3 * bodies_[i].node);
-    start_momentum_[i] = step.start.p.segment<3>(3 * bodies_[i].node);
+    const int c = 3 * bodies_[i].node;
+    start_[i] = step.sum(Vec3(Vec3::Zero()), [&](const Past& known) { return known.q->segment<3>(c); });
+    start_momentum_[i] = step.sum(Vec3(Vec3::Zero()), [&](const Past& known) { return known.p->segment<3>(c); });
   }
 }
 

@@ -44,7 +44,7 @@ void ColliderContact::begin_step(const StepContext& step) {
     for (const RigidBody& body : bodies_) overlap = std::max(overlap, radius_ - body.distance(x).phi);
     return overlap;
   });
-  for (RigidBody& body : bodies_) body.move_to(step.start.t + step.h);
+  for (RigidBody& body : bodies_) body.move_to(step.end_t());
   std::vector<Pair> pairs;
   const auto num_samples = static_cast<std::size_t>(parts_->samples.size());
   clear_.assign(num_samples, std::numeric_limits<double>::infinity());
@@ -53,7 +53,8 @@ void ColliderContact::begin_step(const StepContext& step) {
     if (!sample(s).in_use) continue;
     const auto i = static_cast<std::size_t>(s);
     start_[i] = place_of(sample(s), step.start.q);
-    const double reach = kTouchReach * radius_ + kTouchReachOfMove * step.h * place_of(sample(s), step.start.v).norm();
+    const double reach =
+        kTouchReach * radius_ + kTouchReachOfMove * step.duration * place_of(sample(s), step.start.v).norm();
     for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
       const double gap = body(b).distance(start_[i]).phi - radius_;
       if (gap <= reach)

@@ -11,7 +11,7 @@ void ColliderFriction::begin_step(const StepContext& step) {
   if (bodies_.empty()) return;
   if (!same_pairs(touches_, step.start.touches)) ++revision_;
   touches_ = step.start.touches;
-  for (RigidBody& body : bodies_) body.move_to(step.start.t + step.h);
+  for (RigidBody& body : bodies_) body.move_to(step.end_t());
   stencils_.clear();
   for (const Touch& touch : touches_) {
     const RigidBody& body = bodies_[static_cast<std::size_t>(touch.body)];

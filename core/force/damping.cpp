@@ -34,7 +34,8 @@ DampingStretch::DampingStretch(const Model& model) {
 
 void DampingStretch::begin_step(const StepContext& step) {
   h_ = step.h;
-  for (std::size_t k = 0; k < coords_.size(); ++k) start_[k] = stretch_of(gather<8>(coords_[k], step.start.q));
+  for (std::size_t k = 0; k < coords_.size(); ++k)
+    start_[k] = step.measured(0.0, [&](const VecX& q) { return stretch_of(gather<8>(coords_[k], q)); });
 }
 
 double DampingStretch::eval(int k, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) const {
@@ -87,7 +88,8 @@ DampingBending::DampingBending(const Model& model) {
 void DampingBending::begin_step(const StepContext& step) {
   h_ = step.h;
   for (std::size_t k = 0; k < coords_.size(); ++k)
-    start_[k] = smoothed_angle(bend_cosine(gather<11>(coords_[k], step.start.q)).theta());
+    start_[k] = step.measured(
+        0.0, [&](const VecX& q) { return smoothed_angle(bend_cosine(gather<11>(coords_[k], q)).theta()); });
 }
 
 double DampingBending::eval(int k, const Vec<11>& q, Vec<11>* g, Mat<11>* hess) const {
@@ -129,7 +131,8 @@ DampingWrapping::DampingWrapping(const Model& model) {
 void DampingWrapping::begin_step(const StepContext& step) {
   h_ = step.h;
   for (std::size_t k = 0; k < coords_.size(); ++k)
-    start_[k] = wrap_angle_derivatives(gather<12>(coords_[k], step.start.q), nullptr, nullptr);
+    start_[k] = step.measured(
+        0.0, [&](const VecX& q) { return wrap_angle_derivatives(gather<12>(coords_[k], q), nullptr, nullptr); });
 }
 
 double DampingWrapping::eval(int k, const Vec<12>& q, Vec<12>* g, Mat<12>* hess) const {
@@ -154,7 +157,8 @@ DampingSliding::DampingSliding(const Model& model) {
 
 void DampingSliding::begin_step(const StepContext& step) {
   h_ = step.h;
-  for (std::size_t k = 0; k < coord_.size(); ++k) start_[k] = step.start.q[coord_[k]];
+  for (std::size_t k = 0; k < coord_.size(); ++k)
+    start_[k] = step.measured(0.0, [&](const VecX& q) { return q[coord_[k]]; });
 }
 
 double DampingSliding::eval(int k, const Vec<1>& q, Vec<1>* g, Mat<1>* hess) const {

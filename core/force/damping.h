@@ -10,10 +10,10 @@
 namespace slipstitch {
 
 // Viscous damping of internal rates: each term adds h * 1/2 eta rate^2 to the step's potential, the rate taken as the
-// change of its measure over the step divided by h. The measures do not change in rigid motion, which is therefore
+// change of its measure over the step divided by h (StepContext). The measures do not change in rigid motion, which is therefore
 // undamped.
 
-/// Rate of the stretch lambda = |d|/D, weighted by the segment's rest length: 1/2 eta D_rest ((lambda - lambda_n)/h)^2 h.
+/// Rate of the stretch lambda = |d|/D, weighted by the segment's rest length: 1/2 eta D_rest ((lambda - lambda*)/h)^2 h.
 class DampingStretch {
  public:
   static constexpr int kSize = 8;
@@ -29,7 +29,7 @@ class DampingStretch {
  private:
   std::vector<std::array<int, kSize>> coords_;  // (size)
   std::vector<double> eta_length_;              // eta D_rest [N s m] (size)
-  std::vector<double> start_;                   // lambda_n (size)
+  std::vector<double> start_;                   // lambda* (size)
   double h_ = kNoStepYet;
 };
 static_assert(ForceTerm<DampingStretch>);
@@ -52,7 +52,7 @@ class DampingBending {
  private:
   std::vector<std::array<int, kSize>> coords_;  // (size)
   std::vector<double> eta_by_length_;           // eta / W_rest [N m s] (size)
-  std::vector<double> start_;                   // measure at the start of the step (size)
+  std::vector<double> start_;                   // measure* (size)
   double h_ = kNoStepYet;
 };
 static_assert(ForceTerm<DampingBending>);
@@ -73,7 +73,7 @@ class DampingWrapping {
  private:
   std::vector<std::array<int, kSize>> coords_;  // (size)
   std::vector<double> eta_length_, length_;     // eta L [N m s], L [m] (size)
-  std::vector<double> start_;                   // psi_n (size)
+  std::vector<double> start_;                   // psi* (size)
   double h_ = kNoStepYet;
 };
 static_assert(ForceTerm<DampingWrapping>);
@@ -93,7 +93,7 @@ class DampingSliding {
  private:
   double d_f_ = 0.0;         // [N s/m]
   std::vector<int> coord_;   // (size)
-  std::vector<double> start_;  // u_n [m] (size)
+  std::vector<double> start_;  // u* [m] (size)
   double h_ = kNoStepYet;
 };
 static_assert(ForceTerm<DampingSliding>);

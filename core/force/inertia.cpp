@@ -49,17 +49,18 @@ void Inertia::begin_step(const StepContext& step) {
   h_ = step.h;
   for (int k = 0; k < size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
-    Vec<8> v, p;
+    Vec<8> q, v, p;
     for (int j = 0; j < 8; ++j) {
       const int c = coords_[i][static_cast<std::size_t>(j)];
       const std::size_t end = j < 4 ? 0 : 1;
       const bool mine = j % 4 == 3 ? owner_[i][end] : node_owner_[i][end];
-      start_[i][j] = step.start.q[c];
-      v[j] = step.start.v[c];
-      p[j] = mine ? step.start.p[c] : 0.0;
+      start_[i][j] = step.sum(0.0, [&](const Past& known) { return (*known.q)[c]; });
+      q[j] = (*step.near_q)[c];
+      v[j] = (*step.near_v)[c];
+      p[j] = mine ? step.sum(0.0, [&](const Past& known) { return (*known.p)[c]; }) : 0.0;
     }
-    mass_[i] = mass(k, start_[i]);
-    linear_[i] = velocity_terms_ ? Vec<8>(p + h_ * kinetic_gradient(density_[i], start_[i], v)) : mass_[i] * v;
+    mass_[i] = mass(k, q);
+    linear_[i] = velocity_terms_ ? Vec<8>(p + h_ * kinetic_gradient(density_[i], q, v)) : mass_[i] * v;
   }
 }
 

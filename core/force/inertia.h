@@ -9,12 +9,12 @@
 
 namespace slipstitch {
 
-/// Inertia of every segment in momentum form: with M_n and dT/dq frozen at the start of the step and D = q - q_n,
-///   E(q) = 1/2 D^T M_n D / h^2 - D^T (p_n + h dT/dq_n) / h,
-/// so that a stationary point of the sum of all terms gives M_n D / h = p_n + h (dT/dq_n + F(q)), and
-/// p_{n+1} = M_n D / h. First order in h; linear momentum is exact even while yarns slide, because dT/dq sums to zero
-/// over positions. M is singular along straight yarn (a node can slide without moving material), therefore every
-/// free arc length carries a small mass of its own, m_u.
+/// Inertia of every segment in momentum form: with M and dT/dq frozen near the solve (StepContext) and D = q - q*,
+///   E(q) = 1/2 D^T M D / h^2 - D^T (p* + h dT/dq) / h,
+/// so that a stationary point of the sum of all terms gives M D / h = p* + h (dT/dq + F(q)), and the momentum there is
+/// M D / h. Linear momentum is exact even while yarns slide, because dT/dq sums to zero over positions. M is singular
+/// along straight yarn (a node can slide without moving material), therefore every free arc length carries a small mass
+/// of its own, m_u.
 class Inertia {
  public:
   static constexpr int kSize = 8;
@@ -42,9 +42,9 @@ class Inertia {
   std::vector<std::array<bool, 2>> owner_;      // whether this stencil carries p of its first, second visit (size x 2)
   std::vector<std::array<bool, 2>> node_owner_;  // the same for the positions (size x 2)
   double h_ = kNoStepYet;                       // [s]
-  std::vector<Mat<8>> mass_;                    // M_n (size)
-  std::vector<Vec<8>> linear_;                  // this stencil's share of p_n + h dT/dq_n (size)
-  std::vector<Vec<8>> start_;                   // q_n (size)
+  std::vector<Mat<8>> mass_;                    // M (size)
+  std::vector<Vec<8>> linear_;                  // this stencil's share of p* + h dT/dq (size)
+  std::vector<Vec<8>> start_;                   // q* (size)
 };
 static_assert(ForceTerm<Inertia>);
 

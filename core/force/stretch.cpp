@@ -89,7 +89,7 @@ Stretch::Stretch(const Model& model)
 }
 
 void Stretch::begin_step(const StepContext& step) {
-  factor_ = slipstitch::length_factor(model_->effects, step.start.t + step.h);
+  factor_ = slipstitch::length_factor(model_->effects, step.end_t());
 }
 
 }  // namespace slipstitch

@@ -5,16 +5,46 @@
 #include <concepts>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "math/types.h"
 #include "model/state.h"
 
 namespace slipstitch {
 
-/// Constant during one step.
+/// One of the known places that a solve starts from, with its weight.
+struct Past {
+  double weight = 1.0;
+  const VecX* q = nullptr;  // [m] (num_coords)
+  const VecX* p = nullptr;  // [kg m/s] (num_coords); not of measures
+};
+
+/// One solve of a step, constant during it. Every integrator (sim/integrate.cpp) is made of solves like implicit
+/// Euler's: with q* and p* weighted sums of what is known, it finds q with
+///   M (q - q*)/h = p* + h (dT/dq + F),
+/// and a rate at its end is the change of what it measures, against a weighted sum of that, over h.
 struct StepContext {
-  double h = 0.0;      // step [s]
-  const State& start;  // state at the beginning of the step
+  double h = 0.0;                                     // of that equation [s]
+  const State& start;                                 // last known state, from which contacts, friction and yield go on
+  double duration = h;                                // from there to where the solve ends [s]
+  std::vector<Past> past{{1.0, &start.q, &start.p}};  // what q* and p* are sums of; weights sum to 1
+  std::vector<Past> rate_past = past;                 // likewise of what is measured, without p
+  const VecX* near_q = &start.q;                      // where M and dT/dq are taken [m] (num_coords)
+  const VecX* near_v = &start.v;                      // [m/s] (num_coords)
+
+  /// q* or p*: the weighted sum of f(past), from `zero`.
+  template <class T, class F>
+  T sum(T zero, F&& f) const {
+    for (const Past& known : past) zero += known.weight * f(known);
+    return zero;
+  }
+  /// That of a measure f(q).
+  template <class T, class F>
+  T measured(T zero, F&& f) const {
+    for (const Past& known : rate_past) zero += known.weight * f(*known.q);
+    return zero;
+  }
+  double end_t() const { return start.t + duration; }
 };
 
 /// h before the first step: change costs nothing.
@@ -78,6 +108,12 @@ concept LimitsMoves = requires(const T& cterm, const VecX& q, double a) {
 template <class T>
 concept CanBeOutgrown = requires(const T& cterm, const VecX& q) {
   { cterm.outgrown(q) } -> std::same_as<bool>;
+};
+
+/// A term that can tell whether something would pass something else on the straight way from q0 to q.
+template <class T>
+concept SeesPassing = requires(T& term, const VecX& q) {
+  { term.passes(q, q) } -> std::same_as<bool>;
 };
 
 /// A term that can take q out of states that scripts have made forbidden on the way from q0.

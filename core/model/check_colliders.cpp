@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
-#include <map>
+#include <utility>
+#include <vector>
 
 #include "model/check_parts.h"
 
 namespace slipstitch {
 namespace {
 
-/// How often each directed edge is walked; a closed, consistently turned surface walks each once, and once back.
+/// A closed, consistently turned surface walks every directed edge once, and once back.
 bool closed(const TriangleMesh& mesh) {
-  std::map<std::pair<int, int>, int> walks;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    ++walks[{a, b}];
-    ++walks[{b, c}];
-    ++walks[{c, a}];
-  }
-  for (const auto& [edge, times] : walks) {
-    const auto back = walks.find({edge.second, edge.first});
-    if (times != 1 || back == walks.end() || back->second != 1) return false;
-  }
-  return !walks.empty();
+  std::vector<std::pair<int, int>> walks;
+  walks.reserve(3 * mesh.triangles.size());
+  for (const auto& [a, b, c] : mesh.triangles) walks.insert(walks.end(), {{a, b}, {b, c}, {c, a}});
+  std::sort(walks.begin(), walks.end());
+  if (std::adjacent_find(walks.begin(), walks.end()) != walks.end()) return false;
+  const auto walked_back = [&](const std::pair<int, int>& edge) {
+    return std::binary_search(walks.begin(), walks.end(), std::pair(edge.second, edge.first));
+  };
+  return !walks.empty() && std::all_of(walks.begin(), walks.end(), walked_back);
 }
 
 double volume(const TriangleMesh& mesh) {

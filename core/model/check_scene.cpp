@@ -69,8 +69,7 @@ Issues check(const Scene& scene, const SceneLimits& limits) {
   check_name(scene.name, checker);
   check_material(scene.yarn, checker);
   check_effects(scene.effects, checker);
-  const bool too_big = std::any_of(issues.begin(), issues.end(), [](const Issue& issue) { return issue.too_big; });
-  if (!too_big) check_actions(scene, checker);  // counts of a scene over its limits could overflow
+  if (!issues.any_too_big()) check_actions(scene, checker);  // counts of a scene over its limits could overflow
   check_time(scene, limits, checker);
   check_numerics(scene, limits, checker);
   return issues;

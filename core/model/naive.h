@@ -11,7 +11,6 @@ struct Naive {
   bool unprojected_hessian = false;  // none stands in for an indefinite one
   bool explicit_friction = false;    // sliding friction as of the velocity at the start of the step
   bool no_velocity_terms = false;    // inertia M (v+ - v), without what a changing M gives
-  bool one_solve = false;            // one Newton step, whatever is left: the linearised implicit Euler
 };
 
 }  // namespace slipstitch

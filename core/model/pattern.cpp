@@ -24,7 +24,8 @@ StitchKind other(StitchKind kind) { return kind == StitchKind::knit ? StitchKind
 // The letters of one text line; unknown ones are reported and read as knit.
 std::vector<StitchKind> parse_row(const std::string& row, const std::string& path, Issues& issues) {
   std::vector<StitchKind> kinds;
-  for (std::size_t i = 0; i < row.size(); ++i) {
+  kinds.reserve(row.size());
+  for (std::size_t i = 0; i < row.size() && !issues.full(); ++i) {
     const auto kind = kind_of(row[i]);
     if (!kind) {
       issues.push_back({path, std::string(1, row[i]) + " in column " + std::to_string(i + 1), "K or P", false});
@@ -35,12 +36,11 @@ std::vector<StitchKind> parse_row(const std::string& row, const std::string& pat
 }
 
 // Equal lengths and at least 2 x 2. Every row that differs from the first is named.
-bool check_shape(const std::vector<std::string>& rows, const std::string& path, Issues& issues) {
-  const std::size_t before = issues.size();
+void check_shape(const std::vector<std::string>& rows, const std::string& path, Issues& issues) {
   if (rows.size() < kSmallest) {
     issues.push_back({path, std::to_string(rows.size()) + " rows", "at least 2 rows", false});
   }
-  for (std::size_t r = 0; r < rows.size(); ++r) {
+  for (std::size_t r = 0; r < rows.size() && !issues.full(); ++r) {
     const std::string length = std::to_string(rows[r].size()) + " stitches";
     if (rows[r].size() != rows[0].size()) {
       const std::string wanted = std::to_string(rows[0].size()) + " stitches, as in row 0";
@@ -49,7 +49,6 @@ bool check_shape(const std::vector<std::string>& rows, const std::string& path, 
       issues.push_back({row_path(path, r), length, "at least 2 stitches", false});
     }
   }
-  return issues.size() == before;
 }
 
 // Rows in the order given; `bottom_first` false: the last one is course 1.
@@ -58,8 +57,10 @@ Pattern from_rows(const std::vector<std::string>& rows, bool in_the_round, bool 
   const std::size_t before = issues.size();
   check_shape(rows, path, issues);
   std::vector<std::vector<StitchKind>> kinds;
-  for (std::size_t r = 0; r < rows.size(); ++r) kinds.push_back(parse_row(rows[r], row_path(path, r), issues));
-  if (issues.size() != before) return {};
+  for (std::size_t r = 0; r < rows.size() && !issues.full(); ++r) {
+    kinds.push_back(parse_row(rows[r], row_path(path, r), issues));
+  }
+  if (issues.full() || issues.size() != before) return {};
   if (!bottom_first) std::reverse(kinds.begin(), kinds.end());
 
   Pattern pattern{static_cast<int>(rows.size()), static_cast<int>(rows[0].size()), in_the_round, {}};
@@ -123,7 +124,7 @@ Pattern pattern_from_chart(const std::vector<std::string>& rows, bool in_the_rou
 Pattern pattern_from_preset(const PresetSpec& preset, bool in_the_round, const std::string& path, Issues& issues) {
   const std::size_t before = issues.size();
   check_preset(preset, path, issues);
-  if (issues.size() != before) return {};
+  if (issues.full() || issues.size() != before) return {};
   Pattern pattern{preset.courses, preset.wales, in_the_round, {}};
   for (int course = 1; course <= preset.courses; ++course) {
     for (int wale = 1; wale <= preset.wales; ++wale) {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include "model/effect_list.h"
+#include "model/pieces.h"
+
 namespace slipstitch {
 namespace {
 
@@ -43,6 +46,17 @@ bool at_rest_for_ever(const Scene& scene) {
          });
 }
 
+bool is_idle(const std::vector<IdleEffect>& effects, std::string_view name) {
+  return std::any_of(effects.begin(), effects.end(), [&](const IdleEffect& idle) { return idle.effect == name; });
+}
+
+/// What needs an effect that cannot matter cannot matter either.
+void add_what_needs_them(const Effects& on, std::vector<IdleEffect>& effects) {
+  for (const EffectEntry& effect : effect_list())
+    if (effect.listed(on) && !is_idle(effects, effect.name) && is_idle(effects, effect.needs))
+      effects.push_back({effect.name, std::string("it needs ") + effect.needs + ", which cannot matter"});
+}
+
 }  // namespace
 
 std::vector<IdleEffect> idle_effects(const Scene& scene) {
@@ -63,15 +77,16 @@ std::vector<IdleEffect> idle_effects(const Scene& scene) {
        "only stitches have contacts of a length, and the scene has no knit");
   idle(on.sliding && !shared && scene.guides.empty(), "sliding", "no yarn passes a stitch, a crossing or a guide");
   idle(on.sliding_friction && on.sliding_friction->coefficient == 0.0, "sliding_friction", "its coefficient is 0");
+  idle(on.sliding_friction && on.sliding_friction->normal_force_n == 0.0, "sliding_friction", "its normal force is 0");
   idle(on.bending_jamming && on.bending_jamming->max_factor == 1.0, "bending_jamming", "its max_factor is 1");
   idle(on.damping && on.damping->stretch_ns == 0.0 && on.damping->bending_nm2s == 0.0 &&
-           on.damping->wrapping_ns == 0.0 && (on.damping->sliding_ns_per_m == 0.0 || !on.sliding),
+           (on.damping->wrapping_ns == 0.0 || !on.wrapping || !stitches) && (on.damping->sliding_ns_per_m == 0.0 || !on.sliding),
        "damping", "it damps nothing that moves");
-  idle(on.damping && !on.inertia, "damping", "without inertia only the path to rest is damped, not where it ends");
   const char* const straight = "yarns of one segment cannot bend";
   idle(on.bending && no_bends, "bending", straight);
   idle(on.bending_jamming && no_bends, "bending_jamming", straight);
   idle(on.plasticity && no_bends, "plasticity", straight);
+  idle(on.plasticity && on.plasticity->yield_angle_rad >= kPi, "plasticity", "no bend angle exceeds pi");
   idle(on.self_collision && !stitches && scene.yarns.size() == 1 && scene.yarns[0].points.size() < kPointsToMeetItself,
        "self_collision", "a yarn of fewer than four segments cannot meet itself");
   idle(no_air, "air_drag", "both its coefficients are 0");
@@ -81,6 +96,7 @@ std::vector<IdleEffect> idle_effects(const Scene& scene) {
   idle(on.shrinkage && std::all_of(on.shrinkage->keyframes.begin(), on.shrinkage->keyframes.end(),
                                    [](const LengthKeyframe& key) { return key.factor == 1.0; }),
        "shrinkage", "every factor is 1");
+  add_what_needs_them(on, effects);
   return effects;
 }
 
@@ -95,8 +111,19 @@ void add_missing(const Scene& scene, std::vector<std::string>& remarks) {
   missing(scene.knit && !on.bending, "bending", "without it a stitch has no shape to keep");
   missing(scene.knit && on.bending && !on.wrapping, "wrapping",
           "without it nothing holds the loops of a stitch around each other, and no edge curls");
-  missing(on.inertia && on.gravity && scene.handles.empty() && scene.guides.empty() && !on.colliders, "colliders",
-          "nothing is held, and the fabric falls onto nothing");
+  const std::vector<Piece> pieces = pieces_of(scene);
+  const auto falls = std::count_if(pieces.begin(), pieces.end(), [](const Piece& piece) { return !piece.held; });
+  const bool all_fall = falls == static_cast<long>(pieces.size());
+  const bool on_yarn = on.self_collision && !all_fall;
+  const bool weight = on.gravity && !on.gravity->acceleration_m_per_s2.isZero(0.0);
+  missing(!on.inertia && weight && !on.colliders && falls > 0 && !on_yarn, "inertia",
+          "yarn that nothing holds falls, which is no equilibrium");
+  missing(on.inertia && weight && !on.colliders && falls > 0 && !on_yarn, "colliders",
+          all_fall ? "nothing is held, and the fabric falls onto nothing"
+                   : "a piece of yarn that nothing holds falls onto nothing");
+  missing(on.inertia && !on.self_collision && pieces.size() > 1 &&
+              std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.thrown; }),
+          "self_collision", "yarn that is thrown passes through other yarn");
   missing(on.sliding && scene.knit && !on.parallel_contact, "parallel_contact",
           "yarn can slide until two contacts are in one place");
   missing(on.sliding && scene.knit && !on.contact_length, "contact_length",

@@ -92,12 +92,21 @@ struct InitialVelocity {
   Vec3 velocity_m_per_s = Vec3::Zero();
 };
 
+enum class Integrator {
+  implicit_euler,    // first order
+  bdf2,              // second order, two-step
+  sdirk2,            // second order, two solves a step
+  implicit_midpoint, // second order, undamped: keeps what stiff yarn oscillates
+  linearised_euler,  // implicit Euler by one Newton iteration a step, whatever it leaves
+};
+
 struct FixedNumerics {
   double time_step_s = 1.0 / 240;               // largest step > 0; shortened so that frames fall on steps
   double velocity_tolerance_m_per_s = 1e-4;     // Newton stops when max |Newton step| / h is below; dynamic steps
   double force_tolerance_n = 1e-9;              // quasi-static steps stop when max |gradient| is below [N]
   int max_newton_iterations = 200;              // a step that needs more is cut in half
   double smallest_step_s = 1e-7;                // below: the run fails
+  Integrator integrator = Integrator::implicit_euler;  // of dynamic scenes; static ones have none
 };
 
 /// Not supported yet; the message exists so that schema and files do not change later.

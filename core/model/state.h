@@ -24,6 +24,8 @@ struct State {
   VecX set_angle;  // rest angle of the bend at every visit [rad] (num_visits); empty without plasticity
   std::vector<Touch> touches;            // on colliders that are not dynamic, ascending in sample, then body
   std::vector<Touch> body_touches = {};  // on dynamic ones, likewise
+  double h_before = 0.0;                 // the last step, 0: there was none or nothing looks back to it [s]
+  VecX q_before = {}, v_before = {}, p_before = {};  // before it; empty without it
 };
 
 }  // namespace slipstitch

@@ -36,7 +36,7 @@ inline void push_out(YarnForces& forces, const VecX& q0, VecX& q) {
 /// Whether a term that can tell saw something pass something else on the straight way from q0 to q.
 inline bool passes(YarnForces& forces, const VecX& q0, const VecX& q) {
   const auto seen = [&](auto& term) {
-    if constexpr (requires { term.passes(q0, q); }) return term.passes(q0, q);
+    if constexpr (SeesPassing<std::decay_t<decltype(term)>>) return term.passes(q0, q);
     return false;
   };
   return std::apply([&](auto&... term) { return (seen(term) || ...); }, forces);

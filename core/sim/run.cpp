@@ -30,6 +30,8 @@ std::string fault_text(const StepReport& report) {
       return "a segment loses its yarn";
     case StepFault::outgrown:
       return "yarn that touches something grows too fast";
+    case StepFault::overshot:
+      return "the second half of the step takes yarn past yarn";
     case StepFault::far_push:
       return "what scripts move sweeps yarn too far in one step";
     case StepFault::none:
@@ -105,8 +107,25 @@ class Run {
 
   void emit(const Simulation& sim) {
     if (hooks_.on_frame) hooks_.on_frame({summary_.frames, sim.state().t, sim.state().q});
+    if (hooks_.on_frame_report) hooks_.on_frame_report(report(sim));
     ++summary_.frames;
     last_emitted_ = sim.state().t;
+  }
+
+  FrameReport report(const Simulation& sim) const {
+    FrameReport report;
+    report.frame = summary_.frames;
+    report.t = sim.state().t;
+    report.steps = summary_.steps;
+    report.rejected_steps = summary_.rejected_steps;
+    report.newton_iterations = summary_.newton_iterations;
+    report.linear_iterations = sim.linear_solves();
+    if (summary_.steps > 0) {
+      report.step_s = last_step_;
+      report.residual = last_residual_;
+    }
+    report.energy_j = reported_energies(sim);
+    return report;
   }
 
   void progress(const Simulation& sim, double h, double residual) const {
@@ -156,6 +175,9 @@ class Run {
     std::string why = "no step above " + number_text(numerics_.smallest_step_s) +
                       " s converges at t = " + short_time(sim.state().t) + " s: " + fault_text(report);
     if (report.worst_coord < 0) return why;
+    if (report.fault == StepFault::none && report.newton.status == NewtonStatus::not_finite)
+      return why + ": " + report.worst_term + " leaves no room for " +
+             describe_coordinate(sim.model().topology, report.worst_coord);
     why += ", worst at " + describe_coordinate(sim.model().topology, report.worst_coord);
     return report.worst_term.empty() ? why : why + ", where the largest force is that of " + report.worst_term;
   }
@@ -185,6 +207,7 @@ class Run {
       }
       ++summary_.steps;
       last_residual_ = report.residual;
+      last_step_ = h;
       step_ = std::min(largest, 2.0 * step_);
       measure(sim, forces);
       trace_bodies(sim);
@@ -205,6 +228,7 @@ class Run {
   RunSummary summary_;
   int num_frames_ = 0;
   double step_ = 0.0, last_residual_ = 0.0;  // step: size asked of the next step [s]
+  double last_step_ = 0.0;                   // accepted [s]
   double last_emitted_ = 0.0;                // time of the last frame [s]
 };
 

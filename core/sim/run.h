@@ -14,6 +14,7 @@
 #include "sim/effect_choice.h"
 #include "sim/effect_cost.h"
 #include "sim/frame.h"
+#include "sim/frame_report.h"
 #include "sim/handle_forces.h"
 #include "solve/linear_solver.h"
 
@@ -36,6 +37,8 @@ struct Progress {
 struct RunHooks {
   std::function<void(const FrameHeader&)> on_header;   // once, before the first frame
   std::function<void(const Frame&)> on_frame;          // may be empty
+  std::function<void(const FrameReport&)> on_frame_report;  // with every frame; costs an evaluation of the energies; may
+                                                            // be empty
   std::function<void(double t, const std::vector<Vec3>&)> on_reactions;  // after every step of a scene with handles, the
                                                                          // force on each [N]; may be empty
   std::function<void(double t, const std::vector<Vec3>&)> on_bodies;     // at the start and after every step of a scene

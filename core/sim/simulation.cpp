@@ -11,9 +11,11 @@
 #include "force/collider_contact.h"
 #include "force/collider_friction.h"
 #include "force/inertia.h"
+#include "force/segments.h"
 #include "force/sliding_friction.h"
 #include "sim/moves.h"
 #include "sim/step_objective.h"
+#include "sim/stored_energy.h"
 
 namespace slipstitch {
 namespace {
@@ -21,6 +23,7 @@ namespace {
 // Yarn is stiff as k_s/D: in a segment of next to no length the Newton step is small whatever the force, and says
 // nothing.
 constexpr double kKeepArcInAStep = 0.05;
+constexpr double kRestless_s = 0.05;
 constexpr double kFarthestPush = 0.9;   // radii, of a node; two against each other take yarn through yarn
 constexpr double kEndsTolerance = 0.1;  // share of the step tolerance to which loose ends are solved
 
@@ -45,6 +48,26 @@ class TimedSolver final : public LinearSolver {
   long& solves_;
 };
 
+/// The most that a static solve may add to the Hessian so that no Newton step is endless where yarn moves freely: the
+/// mass at every unknown, as if a step took kRestless_s. A share of the Hessian is more than that where segments of no
+/// length, or damping in a step of no length, are so stiff that next to nothing of them would hold all else.
+VecX resistance(const Model& model, const DofMap& map) {
+  const Topology& topology = model.topology;
+  VecX shift = VecX::Zero(map.num_dofs);
+  const auto add = [&](int coord, double mass) {
+    if (const int dof = map.dof_of(coord); dof >= 0) shift[dof] += mass / (kRestless_s * kRestless_s);
+  };
+  for_each_owned_segment(topology, [&](int yarn, int i) {
+    const double half = 0.5 * linear_density(model, yarn) * rest_length(topology, i);
+    for (const int visit : {i, i + 1}) {
+      const int x = topology.x_coord(topology.visit_node[static_cast<std::size_t>(visit)]);
+      for (int c = 0; c < 3; ++c) add(x + c, half);
+      add(topology.arc_coord(visit), half);
+    }
+  });
+  return shift;
+}
+
 State start_state(const Model& model, const YarnForces& forces) {
   State state;
   state.q = model.start_q;
@@ -54,6 +77,23 @@ State start_state(const Model& model, const YarnForces& forces) {
   if (term_of<SlidingFriction>(forces).size() > 0) state.anchor = state.q.tail(model.topology.num_visits());
   if (model.effects.plasticity) state.set_angle = VecX::Zero(model.topology.num_visits());
   return state;
+}
+
+/// What a scene starts within bodies comes out of them, however far, before it begins to move: a step that took it out
+/// would be one in which it flies. The forces are its own: those of the run have begun no step yet.
+void leave_bodies(const Model& model, State& state) {
+  YarnForces forces = make_forces(model);
+  const StepContext no_time{0.0, state};
+  const auto look_around = [&](auto& term) {
+    if constexpr (PushesOut<std::decay_t<decltype(term)>>) term.begin_step(no_time);
+  };
+  std::apply([&](auto&... term) { (look_around(term), ...); }, forces);
+  VecX out = state.q;
+  push_out(forces, state.q, out);
+  if (out == state.q) return;
+  state.q = out;
+  state.p = term_of<Inertia>(forces).momentum(state.q, state.v);
+  term_of<BodyInertia>(forces).put_momentum(state.v, state.p);
 }
 
 }  // namespace
@@ -66,6 +106,8 @@ Simulation::Simulation(Model model, std::unique_ptr<LinearSolver> solver)
       ends_(model_.topology, forces_, map_),
       solver_(std::move(solver)) {
   state_ = start_state(model_, forces_);
+  if (quasi_static()) resistance_ = resistance(model_, map_);
+  if (model_.effects.colliders) leave_bodies(model_, state_);
 }
 
 void Simulation::begin_step(const StepContext& step) {
@@ -73,10 +115,10 @@ void Simulation::begin_step(const StepContext& step) {
   std::apply([&](auto&... term) { (term.begin_step(step), ...); }, forces_);
 }
 
-StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop) {
-  begin_step({h, state_});
+StepReport Simulation::solve(const StepContext& step, const FixedNumerics& numerics, const ShouldStop& should_stop) {
+  begin_step(step);
   VecX start = state_.q;
-  apply_scripts(model_, state_.t + h, start);
+  apply_scripts(model_, step.end_t(), start);
   for (int c = 0; c < map_.num_coords(); ++c)
     if (map_.dof_of(c) < 0) map_.offset[c] = start[c];
 
@@ -89,11 +131,11 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   objective.keep_arcs(state_.q, quasi_static() ? 0.0 : kKeepArcInAStep, model_.yarn.stretch_n);
   objective.predict(y, VecX::Zero(y.size()));
   if (!quasi_static()) {
-    objective.settle_on_their_own(ends_, kEndsTolerance * h * numerics.velocity_tolerance_m_per_s);
+    objective.settle_on_their_own(ends_, kEndsTolerance * step.h * numerics.velocity_tolerance_m_per_s);
   }
   const VecX unmoved = y;
   const bool follows = objective.follow_scripts(y, state_.q, solver);
-  const bool risen = !follows && !quasi_static() && objective.extrapolate(y, h, state_.v);
+  const bool risen = !follows && !quasi_static() && objective.extrapolate(y, step.duration, state_.v);
 
   NewtonOptions options;
   options.max_iterations = numerics.max_newton_iterations;
@@ -101,12 +143,14 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   if (quasi_static()) {
     options.gradient_tolerance = numerics.force_tolerance_n;
     options.relative_shift = 1e-9;
+    options.most_shift = resistance_;
   } else {
-    options.step_tolerance = h * numerics.velocity_tolerance_m_per_s;
+    options.step_tolerance = step.h * numerics.velocity_tolerance_m_per_s;
   }
   if (model_.naive.unfiltered_steps) objective.allow_any_step();
   options.convex_fallback = !model_.naive.unprojected_hessian;
-  if (model_.naive.one_solve) options.max_iterations = 1;
+  const bool one_solve = numerics.integrator == Integrator::linearised_euler && !quasi_static();
+  if (one_solve) options.max_iterations = 1;
   report.newton = newton(objective, solver, options, y);
   if (risen && report.newton.status == NewtonStatus::converged && objective.value(y) > objective.value(unmoved)) {
     y = unmoved;
@@ -116,9 +160,9 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
     report.newton.factorizations += first.factorizations;
     report.newton.convex_hessians += first.convex_hessians;
   }
-  report.residual = quasi_static() ? report.newton.max_gradient : report.newton.max_step / h;
+  report.residual = quasi_static() ? report.newton.max_gradient : report.newton.max_step / step.h;
   report.accepted = report.newton.status == NewtonStatus::converged ||
-                    (model_.naive.one_solve && report.newton.status == NewtonStatus::too_many_iterations);
+                    (one_solve && report.newton.status == NewtonStatus::too_many_iterations);
   VecX q;
   expand(map_, y, q);
   if (report.accepted && objective.at_arc_floor(y)) report.fault = StepFault::arc_floor;
@@ -126,7 +170,7 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   if (report.accepted && !quasi_static() && outgrown(forces_, q)) report.fault = StepFault::outgrown;
   report.accepted = report.accepted && report.fault == StepFault::none;
   if (report.accepted) {
-    accept(h, q);
+    accept(step, q);
   } else if (report.newton.status != NewtonStatus::cancelled) {
     blame(y, report);
   }
@@ -137,11 +181,6 @@ bool Simulation::push_out_of_scripts(VecX& start, StepReport& report) {
   VecX push = start;
   push_out(forces_, state_.q, start);
   push = start - push;
-  if (state_.t == 0.0) {  // what a scene starts within a body comes out of it, however far
-    VecX out = state_.q;
-    push_out(forces_, state_.q, out);
-    push -= out - state_.q;
-  }
   for (int n = 0; n < model_.topology.num_nodes; ++n) {
     if (push.segment<3>(3 * n).norm() <= kFarthestPush * model_.yarn.radius_m) continue;
     report.fault = StepFault::far_push;
@@ -154,12 +193,29 @@ bool Simulation::push_out_of_scripts(VecX& start, StepReport& report) {
   return false;
 }
 
+namespace {
+
+/// A coordinate of the first stencil whose energy is not finite; -1: there is none.
+template <class Term>
+int not_finite_at(const Term& term, const VecX& q) {
+  Vec<Term::kSize> local;
+  for (int k = 0; k < term.size(); ++k) {
+    const auto coords = term.coords(k);
+    for (int i = 0; i < Term::kSize; ++i) local[i] = q[coords[static_cast<std::size_t>(i)]];
+    if (!std::isfinite(term.eval(k, local, nullptr, nullptr))) return coords[0];
+  }
+  return -1;
+}
+
+}  // namespace
+
 void Simulation::blame(const VecX& y, StepReport& report) const {
+  VecX q;
+  expand(map_, y, q);
+  if (report.newton.status == NewtonStatus::not_finite) return blame_not_finite(q, report);
   if (report.newton.worst < 0) return;
   for (int c = 0; c < map_.num_coords(); ++c)
     if (map_.dof_of(c) == report.newton.worst) report.worst_coord = c;
-  VecX q;
-  expand(map_, y, q);
   std::vector<char> wanted(static_cast<std::size_t>(map_.num_coords()), 0);
   wanted[static_cast<std::size_t>(report.worst_coord)] = 1;
   double largest = 0.0;
@@ -176,39 +232,33 @@ void Simulation::blame(const VecX& y, StepReport& report) const {
   std::apply([&](const auto&... term) { (compare(term), ...); }, forces_);
 }
 
-void Simulation::accept(double h, const VecX& q) {
-  const VecX v = (q - state_.q) / h;
-  term_of<Bending>(forces_).creep(h, q, state_.set_angle);
+void Simulation::blame_not_finite(const VecX& q, StepReport& report) const {
+  const auto look = [&](const auto& term) {
+    if (report.worst_coord >= 0) return;
+    report.worst_coord = not_finite_at(term, q);
+    if (report.worst_coord >= 0) report.worst_term = std::decay_t<decltype(term)>::kName;
+  };
+  std::apply([&](const auto&... term) { (look(term), ...); }, forces_);
+}
+
+void Simulation::accept(const StepContext& step, const VecX& q) {
+  const VecX from = step.sum(VecX(VecX::Zero(q.size())), [](const Past& known) -> const VecX& { return *known.q; });
+  const VecX v = (q - from) / step.h;
+  term_of<Bending>(forces_).creep(step.duration, q, state_.set_angle);
   const auto& friction = term_of<SlidingFriction>(forces_);
-  state_.p = term_of<Inertia>(forces_).momentum(state_.q, v);
+  state_.p = term_of<Inertia>(forces_).momentum(*step.near_q, v);
   term_of<BodyInertia>(forces_).put_momentum(v, state_.p);
   state_.touches = term_of<ColliderFriction>(forces_).touches_at(term_of<ColliderContact>(forces_), q);
   state_.body_touches = term_of<BodyFriction>(forces_).touches_at(term_of<BodyContact>(forces_), q);
   state_.v = v;
   state_.q = q;
-  state_.t += h;
+  state_.t = step.end_t();
   if (friction.size() > 0) friction.drag_anchors(q, state_.anchor);
 }
 
 std::map<std::string, double> Simulation::energies() {
-  std::map<std::string, double> result;
   assembly_.value(forces_, state_.q);
-  std::size_t i = 0;
-  std::apply(
-      [&](const auto&... term) {
-        const auto report = [&](const auto& t, double energy) {
-          using Term = std::decay_t<decltype(t)>;
-          if (!kIsPotential<Term> || t.size() == 0) return;
-          if constexpr (std::is_same_v<Term, Wrapping>) energy -= t.least_energy();
-          result[std::string(Term::kName)] = energy;
-        };
-        (report(term, assembly_.energies()[i++]), ...);
-      },
-      forces_);
-  if (const auto& inertia = term_of<Inertia>(forces_); inertia.size() > 0)
-    result["kinetic"] =
-        inertia.kinetic_energy(state_.q, state_.v) + term_of<BodyInertia>(forces_).kinetic_energy(state_.v);
-  return result;
+  return stored_energies(forces_, state_, assembly_.energies());
 }
 
 VecX Simulation::reactions() const {

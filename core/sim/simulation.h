@@ -19,6 +19,7 @@ enum class StepFault {
   none,
   arc_floor,  // a segment has lost all yarn that one step may take
   outgrown,   // a segment that touches something has become so much longer that it could let it between its points
+  overshot,   // the second half of an implicit midpoint step takes yarn through yarn or arc lengths past each other
   far_push,   // getting yarn out of what scripts have moved over it, as by a lever, takes it too far to see what it
               // passes
 };
@@ -29,13 +30,14 @@ struct StepReport {
   bool accepted = false;
   StepFault fault = StepFault::none;
   // Of a solve that failed: the full coordinate that its last Newton step would move most (-1: none), and the term with
-  // the largest force on it.
+  // the largest force on it; of one that could not begin, a coordinate of a stencil whose energy is not finite.
   int worst_coord = -1;
   std::string worst_term;
 };
 
-/// One fabric in time. Implicit Euler: each step minimises the sum of all force terms, which are the incremental
-/// potential of the step. Without inertia every step is an equilibrium under the step's script and friction.
+/// One fabric in time. Each solve of a step minimises the sum of all force terms, which are its incremental potential;
+/// integrators are made of such solves (integrate.cpp). Without inertia every step is an equilibrium under the step's
+/// script and friction.
 ///
 ///   Simulation sim(std::move(model));
 ///   StepReport report = sim.step(1e-3, numerics, {});
@@ -47,6 +49,9 @@ class Simulation {
 
   /// Advances by h [s] if the solve converges; otherwise the state is unchanged.
   StepReport step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop);
+
+  /// Goes on from a snapshot of a simulation of the same model.
+  void restore(const State& state) { state_ = state; }
 
   const Model& model() const { return model_; }
   const State& state() const { return state_; }
@@ -66,10 +71,18 @@ class Simulation {
   VecX reactions() const;
 
  private:
+  using ShouldStop = std::function<bool()>;
+  StepReport bdf2(const State& begin, double h, const FixedNumerics& numerics, const ShouldStop& should_stop);
+  StepReport sdirk2(const State& begin, double h, const FixedNumerics& numerics, const ShouldStop& should_stop);
+  StepReport midpoint(const State& begin, double h, const FixedNumerics& numerics, const ShouldStop& should_stop);
+  StepReport find_first_velocity(double h, const FixedNumerics& numerics, const ShouldStop& should_stop);
+  VecX ahead(const VecX& q, const VecX& before, double share) const;
+  StepReport solve(const StepContext& step, const FixedNumerics& numerics, const ShouldStop& should_stop);
   void begin_step(const StepContext& step);
   bool push_out_of_scripts(VecX& start, StepReport& report);
-  void accept(double h, const VecX& q);
+  void accept(const StepContext& step, const VecX& q);
   void blame(const VecX& y, StepReport& report) const;
+  void blame_not_finite(const VecX& q, StepReport& report) const;
 
   Model model_;
   State state_;
@@ -78,6 +91,7 @@ class Simulation {
   Assembly assembly_;
   LooseEnds ends_;
   std::unique_ptr<LinearSolver> solver_;
+  VecX resistance_;  // of a static solve to Newton steps (num_dofs)
   std::map<std::string, double> wall_;
   long linear_solves_ = 0;
 };

@@ -2,6 +2,7 @@
 #include "solve/newton.h"
 
 #include <cmath>
+#include <limits>
 
 #include "solve/line_search.h"
 #include "solve/newton_direction.h"
@@ -9,20 +10,36 @@
 namespace slipstitch {
 namespace {
 
-constexpr double kNearby = 30.0;        // steps up to this many tolerances leave the last factor a good preconditioner
-constexpr double kFarBelow = 1e-6;      // of the tolerance: a step that no search can tell from round-off, and need not take
+constexpr double kNearby = 30.0;   // steps up to this many tolerances leave the last factor a good preconditioner
+constexpr double kFarBelow = 1e-6;  // of the tolerance: no search can tell such a step from round-off, none need take it
+constexpr double kRoundOff = 2.0;   // of what one digit of every unknown makes of the gradient
 constexpr int kMaxFlatIterations = 12;  // iterations without visible decrease before the search counts as stalled
+
+/// Whether what is left of the gradient is no more than the last digits of x make of it. The last digit of an arc
+/// length of a metre, held by sliding damping in a short step, is a force of 1e-8 N.
+bool is_round_off(const NewtonPoint& point, const VecX& x, double tolerance) {
+  VecX known;
+  multiply_magnitudes(point.hessian, x, known);
+  known *= kRoundOff * std::numeric_limits<double>::epsilon();
+  return (point.gradient.array().abs() <= known.array().max(tolerance)).all();
+}
 
 }  // namespace
 
 std::string_view to_string(NewtonStatus status) {
   switch (status) {
-    case NewtonStatus::converged: return "converged";
-    case NewtonStatus::too_many_iterations: return "too many Newton iterations";
-    case NewtonStatus::stalled: return "line search stalled";
-    case NewtonStatus::not_finite: return "value not finite";
-    case NewtonStatus::linear_failure: return "linear solve failed";
-    case NewtonStatus::cancelled: return "cancelled";
+    case NewtonStatus::converged:
+      return "converged";
+    case NewtonStatus::too_many_iterations:
+      return "too many Newton iterations";
+    case NewtonStatus::stalled:
+      return "line search stalled";
+    case NewtonStatus::not_finite:
+      return "value not finite";
+    case NewtonStatus::linear_failure:
+      return "linear solve failed";
+    case NewtonStatus::cancelled:
+      return "cancelled";
   }
   return "unknown";
 }
@@ -40,10 +57,12 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
   objective.settle(x, x);
   for (; report.iterations < options.max_iterations; ++report.iterations) {
     if (options.should_stop && options.should_stop()) return done(NewtonStatus::cancelled);
-    evaluate(objective, x, options.relative_shift, point);
+    evaluate(objective, x, options, point);
     if (!std::isfinite(point.value) || !point.gradient.allFinite()) return done(NewtonStatus::not_finite);
     report.max_gradient = point.gradient.size() > 0 ? point.gradient.cwiseAbs().maxCoeff() : 0.0;
     if (report.max_gradient <= options.gradient_tolerance) return done(NewtonStatus::converged);
+    if (options.gradient_tolerance > 0.0 && is_round_off(point, x, options.gradient_tolerance))
+      return done(NewtonStatus::converged);
     const bool nearby = report.iterations > 0 && report.max_step <= kNearby * options.step_tolerance;
     if (!(nearby && find_direction_nearby(solver, point, report)) &&
         find_direction(objective, solver, x, options, point, report) != LinearStatus::ok) {
@@ -57,8 +76,8 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
     }
     const Search search = watchdog.advance(objective, x, point, report);
     report.max_step = objective.step_size(point.step);
-    // A small step ends the search even if round-off hides its decrease, as where every energy is zero; but not one that
-    // was cut short: soft directions, such as arc lengths that only their own mass holds, may still be far off.
+    // A small step ends the search even if round-off hides its decrease, as where every energy is zero; but not one
+    // that was cut short: soft directions, such as arc lengths that only their own mass holds, may still be far off.
     if (report.max_step <= options.step_tolerance && watchdog.settled() && point.is_newton_step) {
       ++report.iterations;
       return done(NewtonStatus::converged);

@@ -11,8 +11,10 @@ namespace slipstitch {
 
 struct NewtonOptions {
   double step_tolerance = 0.0;      // stop when the Newton step's size is <= this [unit of x]; 0: not used
-  double gradient_tolerance = 0.0;  // stop when max |gradient| <= this [unit of value/x]; 0: not used
+  // Stop when max |gradient| <= this [unit of value/x], or no more than what the last digits of x make of it; 0: not used.
+  double gradient_tolerance = 0.0;
   double relative_shift = 0.0;      // added to the diagonal, in units of its mean; > 0 where rigid motion is free
+  VecX most_shift = {};             // but never more than this [value/x^2] (n); empty: no limit
   int max_iterations = 60;
   bool convex_fallback = true;        // false: an indefinite Hessian ends the search
   std::function<bool()> should_stop;  // polled every iteration; may be empty

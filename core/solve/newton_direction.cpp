@@ -19,12 +19,22 @@ std::size_t diagonal_slot(const SparseMatrix& h, int c) {
   return static_cast<std::size_t>(h.pattern->column_first[static_cast<std::size_t>(c)]);
 }
 
-void shift_diagonal(SparseMatrix& h, double relative_shift) {
-  if (!(relative_shift > 0.0)) return;
+double mean_diagonal(const SparseMatrix& h) {
   double sum = 0.0;
   for (int c = 0; c < h.pattern->n; ++c) sum += std::abs(h.values[diagonal_slot(h, c)]);
-  const double shift = relative_shift * sum / std::max(1, h.pattern->n);
+  return sum / std::max(1, h.pattern->n);
+}
+
+void shift_all(SparseMatrix& h, double share_of_mean) {
+  const double shift = share_of_mean * mean_diagonal(h);
   for (int c = 0; c < h.pattern->n; ++c) h.values[diagonal_slot(h, c)] += shift;
+}
+
+void shift_as_asked(SparseMatrix& h, const NewtonOptions& options) {
+  if (!(options.relative_shift > 0.0)) return;
+  const double share = options.relative_shift * mean_diagonal(h);
+  for (int c = 0; c < h.pattern->n; ++c)
+    h.values[diagonal_slot(h, c)] += options.most_shift.size() > 0 ? std::min(share, options.most_shift[c]) : share;
 }
 
 LinearStatus factor(LinearSolver& solver, const SparseMatrix& h, NewtonReport& report) {
@@ -33,16 +43,16 @@ LinearStatus factor(LinearSolver& solver, const SparseMatrix& h, NewtonReport& r
 }
 
 /// Semidefinite is enough for the convex part: a shift makes it definite.
-LinearStatus factor_convex(Objective& objective, LinearSolver& solver, const VecX& x, double relative_shift,
+LinearStatus factor_convex(Objective& objective, LinearSolver& solver, const VecX& x, const NewtonOptions& options,
                            NewtonReport& report) {
   VecX gradient;
   SparseMatrix h;
   objective.derivatives(x, HessianMode::convex, gradient, h);
   ++report.convex_hessians;
-  shift_diagonal(h, relative_shift);
+  shift_as_asked(h, options);
   LinearStatus status = factor(solver, h, report);
   for (double s = kFirstShift; status == LinearStatus::not_positive_definite && s <= kLargestShift; s *= kShiftGrowth) {
-    shift_diagonal(h, s);
+    shift_all(h, s);
     status = factor(solver, h, report);
   }
   return status;
@@ -50,9 +60,9 @@ LinearStatus factor_convex(Objective& objective, LinearSolver& solver, const Vec
 
 }  // namespace
 
-void evaluate(Objective& objective, const VecX& x, double relative_shift, NewtonPoint& point) {
+void evaluate(Objective& objective, const VecX& x, const NewtonOptions& options, NewtonPoint& point) {
   point.value = objective.derivatives(x, point.mode, point.gradient, point.hessian);
-  shift_diagonal(point.hessian, relative_shift);
+  shift_as_asked(point.hessian, options);
 }
 
 bool find_direction_nearby(LinearSolver& solver, NewtonPoint& point, NewtonReport& report) {
@@ -70,7 +80,7 @@ LinearStatus find_direction(Objective& objective, LinearSolver& solver, const Ve
   point.has_factor = true;
   if (status == LinearStatus::not_positive_definite && point.mode == HessianMode::predicted) {
     point.mode = HessianMode::exact;
-    evaluate(objective, x, options.relative_shift, point);
+    evaluate(objective, x, options, point);
     status = factor(solver, point.hessian, report);
   }
   if (status == LinearStatus::ok) {
@@ -81,7 +91,7 @@ LinearStatus find_direction(Objective& objective, LinearSolver& solver, const Ve
   }
   point.has_factor = false;
   if (status != LinearStatus::not_positive_definite || !options.convex_fallback) return status;
-  status = factor_convex(objective, solver, x, options.relative_shift, report);
+  status = factor_convex(objective, solver, x, options, report);
   if (status != LinearStatus::ok) return status;
   const CgReport cg =
       conjugate_gradients(point.hessian, solver, -point.gradient, kCgTolerance, kMaxCgIterations, point.step);

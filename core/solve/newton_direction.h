@@ -16,7 +16,7 @@ struct NewtonPoint {
 };
 
 /// value, gradient and hessian at x in the point's mode.
-void evaluate(Objective& objective, const VecX& x, double relative_shift, NewtonPoint& point);
+void evaluate(Objective& objective, const VecX& x, const NewtonOptions& options, NewtonPoint& point);
 
 /// point.step from point.gradient and point.hessian at x. May turn point.mode from predicted to exact.
 LinearStatus find_direction(Objective& objective, LinearSolver& solver, const VecX& x, const NewtonOptions& options,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <numeric>
 
 namespace slipstitch {
@@ -38,7 +39,8 @@ std::shared_ptr<const SparsePattern> make_pattern(int n, std::span<const std::ve
   return with_cliques(diagonal, cliques);
 }
 
-std::shared_ptr<const SparsePattern> with_cliques(const SparsePattern& base, std::span<const std::vector<int>> cliques) {
+std::shared_ptr<const SparsePattern> with_cliques(const SparsePattern& base,
+                                                  std::span<const std::vector<int>> cliques) {
   std::vector<std::vector<const std::vector<int>*>> cliques_of(static_cast<std::size_t>(base.n));
   for (const auto& clique : cliques)
     for (int c : clique)
@@ -70,8 +72,8 @@ std::vector<int> slots_in(const SparsePattern& from, const SparsePattern& to) {
   for (std::size_t c = 0; c < static_cast<std::size_t>(from.n); ++c) {
     auto k = static_cast<std::size_t>(to.column_first[c]);
     const auto end = static_cast<std::size_t>(to.column_first[c + 1]);
-    for (auto i = static_cast<std::size_t>(from.column_first[c]); i < static_cast<std::size_t>(from.column_first[c + 1]);
-         ++i) {
+    for (auto i = static_cast<std::size_t>(from.column_first[c]);
+         i < static_cast<std::size_t>(from.column_first[c + 1]); ++i) {
       while (k < end && to.row[k] < from.row[i]) ++k;
       if (k < end && to.row[k] == from.row[i]) slots[i] = static_cast<int>(k);
     }
@@ -79,19 +81,34 @@ std::vector<int> slots_in(const SparsePattern& from, const SparsePattern& to) {
   return slots;
 }
 
-void multiply(const SparseMatrix& a, const VecX& x, VecX& y) {
+namespace {
+
+/// y = f(A) x with the full symmetric A, f of each entry.
+template <class F>
+void multiply_entries(const SparseMatrix& a, const VecX& x, VecX& y, const F& f) {
   const auto& p = *a.pattern;
   y.setZero(p.n);
   for (int c = 0; c < p.n; ++c) {
     double sum = 0.0;
-    for (int k = p.column_first[static_cast<std::size_t>(c)]; k < p.column_first[static_cast<std::size_t>(c) + 1]; ++k) {
+    for (int k = p.column_first[static_cast<std::size_t>(c)]; k < p.column_first[static_cast<std::size_t>(c) + 1];
+         ++k) {
       const int r = p.row[static_cast<std::size_t>(k)];
-      const double value = a.values[static_cast<std::size_t>(k)];
+      const double value = f(a.values[static_cast<std::size_t>(k)]);
       sum += value * x[r];
       if (r != c) y[r] += value * x[c];
     }
     y[c] += sum;
   }
+}
+
+}  // namespace
+
+void multiply(const SparseMatrix& a, const VecX& x, VecX& y) {
+  multiply_entries(a, x, y, [](double value) { return value; });
+}
+
+void multiply_magnitudes(const SparseMatrix& a, const VecX& x, VecX& y) {
+  multiply_entries(a, x.cwiseAbs(), y, [](double value) { return std::abs(value); });
 }
 
 }  // namespace slipstitch

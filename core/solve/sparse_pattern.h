@@ -38,5 +38,7 @@ struct SparseMatrix {
 
 /// y = A x with the full symmetric A.
 void multiply(const SparseMatrix& a, const VecX& x, VecX& y);
+/// y = |A| |x|, entry by entry.
+void multiply_magnitudes(const SparseMatrix& a, const VecX& x, VecX& y);
 
 }  // namespace slipstitch

@@ -37,7 +37,6 @@ class Chooser {
   Chooser(const Scene& scene, int threads, const std::function<bool()>& should_stop)
       : threads_(threads),
         should_stop_(should_stop),
-        listed_(scene.effects),
         chosen_{with_candidates(scene), {}, false} {
     EffectChoice& choice = chosen_.choice;
     const AutoEffects& asked = *scene.effects.automatic;
@@ -72,7 +71,7 @@ class Chooser {
     for (const std::string& other : remove_effect(effects(), effect)) {
       auto& verdicts = chosen_.choice.verdicts;
       std::erase_if(verdicts, [&](const EffectVerdict& v) { return v.effect == other; });
-      verdict(other, false, std::string("needs ") + effect.name + ", which is left out");
+      verdict(other, false, std::string("cannot act without ") + effect.name + ", which is left out");
     }
   }
 
@@ -102,11 +101,7 @@ class Chooser {
         verdict(late, true, "no bound shows that it never switches on");
       }
     }
-    if (effects().plasticity && effects().plasticity->yield_angle_rad >= kPi) {
-      drop(*find_effect("plasticity"), "cannot act: no bend angle exceeds pi");
-    } else {
-      keep("plasticity", "no bound shows that no bend ever yields");
-    }
+    keep("plasticity", "no bound shows that no bend ever yields");
     keep("shrinkage", "its script may act after the window");
   }
 
@@ -187,14 +182,13 @@ class Chooser {
     }
   }
 
-  /// Why an effect must stay whatever the window shows: for one that the scene lists and that may act later, or because
-  /// the scene would be refused; empty: it need not.
+  /// Why an effect must stay whatever the window shows: for one that may act later, or because the scene would be
+  /// refused; empty: it need not.
   std::string needed_for(const EffectEntry& effect) const {
     Effects without = chosen_.scene.effects;
     for (const std::string& other : remove_effect(without, effect))
       for (const char* late : {"bending_jamming", "parallel_contact", "plasticity", "shrinkage"})
-        if (other == late && find_effect(late)->listed(listed_))
-          return other + " is listed, needs it and may act later";
+        if (other == late) return other + " needs it and may act later";
     Scene scene = chosen_.scene;
     scene.effects = without;
     const Issues issues = check(scene);
@@ -203,7 +197,6 @@ class Chooser {
 
   int threads_;
   const std::function<bool()>& should_stop_;
-  Effects listed_;  // by the scene
   ChosenScene chosen_;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "model/issue.h"
 #include "report/effect_columns.h"
 #include "report/effect_report.h"
 #include "report/number_text.h"
@@ -74,10 +75,6 @@ void draw_prices(Svg& svg, const EffectPrice& price, const EffectStudy& study, c
            here > one ? "start" : "end");
 }
 
-std::string shortened(const std::string& text, std::size_t length) {
-  return text.size() <= length ? text : text.substr(0, length - 3) + "...";
-}
-
 }  // namespace
 
 std::string effect_plot(const EffectStudy& study) {
@@ -103,7 +100,7 @@ std::string effect_plot(const EffectStudy& study) {
       draw_prices(svg, *price, study, move, time, y);
     } else {
       svg.rect(move.x0, y - 9.0, time.x1 - move.x0, 18.0, "#fff");
-      svg.text(move.x0, y + 4.0, shortened(price->not_compared, 100), "start", kFaint, "font-style=\"italic\"");
+      svg.text(move.x0, y + 4.0, shortened(price->not_compared, 97), "start", kFaint, "font-style=\"italic\"");
     }
     y += kRow;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene_io/convert.h"
 
+#include <algorithm>
 #include <string>
 
 #include "model/check_values.h"
@@ -43,8 +44,21 @@ std::string indexed(const std::string& path, int index) { return path + "[" + st
 
 // --- knit
 
-std::vector<std::string> strings_from(const google::protobuf::RepeatedPtrField<std::string>& rows) {
-  return {rows.begin(), rows.end()};
+using Rows = google::protobuf::RepeatedPtrField<std::string>;
+
+// Rows are letters only once there are not too many of either.
+bool rows_fit(const Rows& rows, const std::string& path, const SceneLimits& limits, Issues& issues) {
+  std::size_t stitches = 0;
+  for (const std::string& row : rows) stitches += std::max<std::size_t>(row.size(), 1);
+  if (stitches <= static_cast<std::size_t>(std::max(limits.max_stitches, 0))) return true;
+  issues.push_back(too_many(path, std::to_string(stitches), limits.max_stitches, "stitches"));
+  return false;
+}
+
+Pattern rows_from(const Rows& rows, const std::string& path, bool round, decltype(pattern_from_chart)& read,
+                  const SceneLimits& limits, Issues& issues) {
+  if (!rows_fit(rows, path, limits, issues)) return {};
+  return read({rows.begin(), rows.end()}, round, path, issues);
 }
 
 bool preset_fits(const v1::Preset& preset, const SceneLimits& limits, Issues& issues) {
@@ -69,12 +83,12 @@ Pattern pattern_from(const v1::Knit& message, const SceneLimits& limits, Issues&
   const bool round = message.in_the_round();
   switch (message.pattern_case()) {
     case v1::Knit::kChart:
-      return pattern_from_chart(strings_from(message.chart().rows()), round, "knit.chart.rows", issues);
+      return rows_from(message.chart().rows(), "knit.chart.rows", round, pattern_from_chart, limits, issues);
     case v1::Knit::kPreset:
       return preset_from(message.preset(), round, limits, issues);
     case v1::Knit::kWorkedRows:
-      return pattern_from_worked_rows(strings_from(message.worked_rows().rows()), round, "knit.worked_rows.rows",
-                                      issues);
+      return rows_from(message.worked_rows().rows(), "knit.worked_rows.rows", round, pattern_from_worked_rows, limits,
+                       issues);
     case v1::Knit::PATTERN_NOT_SET:
       issues.push_back({"knit", "without a pattern", "chart, preset or worked_rows"});
   }
@@ -248,8 +262,7 @@ Handle handle_from(const v1::Handle& message, const std::string& path, Issues& i
   handle.motion = motion_from(message.motion(), path + ".motion", issues);
   handle.fix_arc_length = message.fix_arc_length();
   if (!message.velocity_m_per_s().empty()) {
-    handle.velocity_m_per_s =
-        vector_from(message.velocity_m_per_s(), Vec3::Zero(), path + ".velocity_m_per_s", issues);
+    handle.velocity_m_per_s = vector_from(message.velocity_m_per_s(), Vec3::Zero(), path + ".velocity_m_per_s", issues);
   }
   return handle;
 }
@@ -263,13 +276,34 @@ void write_handle(const Handle& handle, v1::Handle& message) {
 
 // --- numerics
 
-FixedNumerics fixed_from(const v1::FixedNumerics& message) {
+Integrator integrator_from(v1::FixedNumerics::Integrator integrator, Issues& issues) {
+  switch (integrator) {
+    case v1::FixedNumerics::IMPLICIT_EULER:
+      return Integrator::implicit_euler;
+    case v1::FixedNumerics::BDF2:
+      return Integrator::bdf2;
+    case v1::FixedNumerics::SDIRK2:
+      return Integrator::sdirk2;
+    case v1::FixedNumerics::IMPLICIT_MIDPOINT:
+      return Integrator::implicit_midpoint;
+    case v1::FixedNumerics::LINEARISED_EULER:
+      return Integrator::linearised_euler;
+    default:
+      break;
+  }
+  issues.push_back({"fixed.integrator", std::to_string(static_cast<int>(integrator)),
+                    "IMPLICIT_EULER, BDF2, SDIRK2, IMPLICIT_MIDPOINT or LINEARISED_EULER"});
+  return Integrator::implicit_euler;
+}
+
+FixedNumerics fixed_from(const v1::FixedNumerics& message, Issues& issues) {
   FixedNumerics fixed;
   if (message.has_time_step_s()) fixed.time_step_s = message.time_step_s();
   if (message.has_velocity_tolerance_m_per_s()) fixed.velocity_tolerance_m_per_s = message.velocity_tolerance_m_per_s();
   if (message.has_force_tolerance_n()) fixed.force_tolerance_n = message.force_tolerance_n();
   if (message.has_max_newton_iterations()) fixed.max_newton_iterations = message.max_newton_iterations();
   if (message.has_smallest_step_s()) fixed.smallest_step_s = message.smallest_step_s();
+  if (message.has_integrator()) fixed.integrator = integrator_from(message.integrator(), issues);
   return fixed;
 }
 
@@ -279,6 +313,7 @@ void write_fixed(const FixedNumerics& fixed, v1::FixedNumerics& message) {
   message.set_force_tolerance_n(fixed.force_tolerance_n);
   message.set_max_newton_iterations(fixed.max_newton_iterations);
   message.set_smallest_step_s(fixed.smallest_step_s);
+  message.set_integrator(static_cast<v1::FixedNumerics::Integrator>(static_cast<int>(fixed.integrator) + 1));
 }
 
 // --- the parts of a scene
@@ -358,7 +393,7 @@ Scene scene_from_message(const v1::Scene& message, Issues& issues, const SceneLi
   if (message.has_accuracy()) {
     scene.numerics = AccuracyNumerics{message.accuracy().tolerance_m()};
   } else {
-    scene.numerics = fixed_from(message.fixed());
+    scene.numerics = fixed_from(message.fixed(), issues);
   }
   return scene;
 }

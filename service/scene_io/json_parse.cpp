@@ -39,7 +39,7 @@ struct TrackedInput {
 class TreeBuilder {
  public:
   TreeBuilder(std::string_view text, Issues& issues)
-      : text_(text), issues_(issues), read_to_(text.data()), last_event_(text.data()) {}
+      : text_(text), places_(text), issues_(issues), read_to_(text.data()), last_event_(text.data()) {}
 
   TrackedInput begin() { return {text_.data(), &read_to_}; }
   TrackedInput end() { return {text_.data() + text_.size(), &read_to_}; }
@@ -55,7 +55,7 @@ class TreeBuilder {
     return put(value);
   }
   bool number_float(double value, const std::string&) { return put(value); }
-  bool string(std::string& value) { return put(std::move(value)); }
+  bool string(std::string& value) { return put(std::move(value)) && count(2); }
   bool binary(std::vector<std::uint8_t>&) { return false; }  // not in JSON text
   bool start_object(std::size_t) { return open(JsonObject{}); }
   bool start_array(std::size_t) { return open(JsonArray{}); }
@@ -68,7 +68,7 @@ class TreeBuilder {
     std::size_t offset = event_offset();
     if (!level.keys.insert(name).second) {
       object.push_back({std::move(name), offset, {}});
-      report(path(), "\"" + object.back().key + "\"", "each key once in an object", offset);
+      if (!issues_.full()) report(path(), "\"" + object.back().key + "\"", "each key once in an object", offset);
       level.drop_value = true;
       return true;
     }
@@ -121,7 +121,7 @@ class TreeBuilder {
   bool put(T&& value) {
     place(std::forward<T>(value));
     drop_duplicate();
-    return true;
+    return count(1);
   }
 
   template <class T>
@@ -133,7 +133,16 @@ class TreeBuilder {
       return false;
     }
     levels_.push_back({node, {}, false});
-    return true;
+    return count(10);
+  }
+
+  bool count(long values) {
+    values_ += values;
+    if (values_ <= kMaxJsonValues) return true;
+    const TextPlace at = places_.of(static_cast<std::size_t>(read_to_ - text_.data()));
+    issues_.push_back({path(1), "too many values", "at most " + std::to_string(kMaxJsonValues) + " values", true,
+                       at.line, at.column, kMaxJsonValues});
+    return false;
   }
 
   bool close() {
@@ -164,16 +173,18 @@ class TreeBuilder {
   }
 
   void report(std::string where, std::string value, std::string expected, std::size_t offset) {
-    TextPlace at = place_of(text_, offset);
+    const TextPlace at = places_.of(offset);
     issues_.push_back({std::move(where), std::move(value), std::move(expected), false, at.line, at.column});
   }
 
   std::string_view text_;
+  PlaceFinder places_;
   Issues& issues_;
   const char* read_to_;     // first byte the parser has not read
   const char* last_event_;  // read_to_ at the previous event
   JsonNode root_;
   std::vector<Level> levels_;
+  long values_ = 0;
 };
 
 }  // namespace

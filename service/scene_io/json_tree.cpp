@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene_io/json_tree.h"
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
+
+#include "model/issue.h"
 
 namespace slipstitch {
 namespace {
@@ -33,10 +36,13 @@ const JsonNode* child_at(const JsonNode& node, std::string_view step) {
   return nullptr;
 }
 
+constexpr std::size_t kShown = 60;  // of a value [byte]
+
 struct ShortText {
   std::string operator()(std::nullptr_t) const { return "null"; }
   std::string operator()(const JsonArray& array) const { return "an array of " + std::to_string(array.size()); }
   std::string operator()(const JsonObject&) const { return "an object"; }
+  std::string operator()(const std::string& text) const { return nlohmann::json(shortened(text, kShown + 4)).dump(); }
   template <class T>
   std::string operator()(const T& scalar) const {
     return nlohmann::json(scalar).dump();
@@ -63,27 +69,28 @@ const JsonNode& nearest_node(const JsonNode& root, const std::string& path) {
   return *node;
 }
 
-std::string shortened(const std::string& text, std::size_t longest) {
-  if (text.size() <= longest) return text;
-  std::size_t cut = longest;
-  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0) == 0x80) --cut;  // keep characters whole
-  return text.substr(0, cut) + "...";
+std::string valid_utf8(const std::string& text) {
+  std::string quoted = nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return nlohmann::json::parse(quoted).get<std::string>();
 }
 
-std::string short_text(const JsonNode& node) { return shortened(std::visit(ShortText{}, node.value), 60); }
+std::string short_text(const JsonNode& node) { return shortened(std::visit(ShortText{}, node.value), kShown); }
 
-TextPlace place_of(std::string_view text, std::size_t offset) {
+TextPlace place_of(std::string_view text, std::size_t offset) { return PlaceFinder(text).of(offset); }
+
+TextPlace PlaceFinder::of(std::size_t offset) {
   if (offset == kNoOffset) return {};
-  TextPlace place{1, 1};
-  for (char c : text.substr(0, offset)) {
+  if (offset < offset_) *this = PlaceFinder(text_);
+  for (const char c : text_.substr(offset_, offset - offset_)) {
     if (c == '\n') {
-      ++place.line;
-      place.column = 1;
+      ++place_.line;
+      place_.column = 1;
     } else if ((static_cast<unsigned char>(c) & 0xC0) != 0x80) {  // not a continuation byte of UTF-8
-      ++place.column;
+      ++place_.column;
     }
   }
-  return place;
+  offset_ = std::min(offset, text_.size());
+  return place_;
 }
 
 }  // namespace slipstitch

@@ -36,8 +36,8 @@ JsonNode* find_member(JsonObject& object, const std::string& key);
 /// The node at a path such as "handles[0].where"; of a path that goes on below the document, the deepest node there is.
 const JsonNode& nearest_node(const JsonNode& root, const std::string& path);
 
-/// At most `longest` bytes of UTF-8, then "..." if there was more.
-std::string shortened(const std::string& text, std::size_t longest);
+/// Text from outside may be cut inside a character, or be no text at all; what cannot be UTF-8 is replaced.
+std::string valid_utf8(const std::string& text);
 
 /// The value as JSON, shortened to about 60 characters, arrays and objects only by kind.
 std::string short_text(const JsonNode& node);
@@ -47,5 +47,18 @@ struct TextPlace {
   int line = 0, column = 0;  // 0: not in the text
 };
 TextPlace place_of(std::string_view text, std::size_t offset);
+
+/// Places one after the other: goes on from the last where the next is not before it, so that many in order read the
+/// text once.
+class PlaceFinder {
+ public:
+  explicit PlaceFinder(std::string_view text) : text_(text) {}
+  TextPlace of(std::size_t offset);
+
+ private:
+  std::string_view text_;
+  std::size_t offset_ = 0;
+  TextPlace place_{1, 1};  // of it
+};
 
 }  // namespace slipstitch

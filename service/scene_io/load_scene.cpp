@@ -39,21 +39,8 @@ void add_independent(const Issues& more, bool knit_is_broken, Issues& issues) {
   }
 }
 
-/// Text from outside may be cut inside a character; what we send must be UTF-8.
-std::string valid_utf8(const std::string& text) {
-  std::string quoted = nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  return nlohmann::json::parse(quoted).get<std::string>();
-}
-
 Issues presentable(Issues issues) {
-  if (issues.size() > kMaxIssues + 1) {
-    issues.resize(kMaxIssues);
-    issues.push_back({"", "", "at most " + std::to_string(kMaxIssues) + " problems; the rest is not listed"});
-  }
-  for (Issue& issue : issues) {
-    issue.path = shortened(issue.path, 200);
-    issue.value = shortened(valid_utf8(issue.value), 200);
-  }
+  for (Issue& issue : issues) issue.value = valid_utf8(issue.value);
   return issues;
 }
 
@@ -78,9 +65,10 @@ LoadResult load_document(JsonNode root, std::string_view text, const Settings& s
   read_message(root, text, message, issues);
   LoadResult result = load(message, limits, std::move(issues));
   if (auto* found = std::get_if<Issues>(&result)) {
+    PlaceFinder places(text);
     for (Issue& issue : *found) {
       if (issue.line > 0 || issue.path.empty()) continue;
-      TextPlace place = place_of(text, nearest_node(root, issue.path).offset);
+      const TextPlace place = places.of(nearest_node(root, issue.path).offset);
       issue.line = place.line;
       issue.column = place.column;
     }
@@ -111,6 +99,11 @@ void place_in_chart(const ChartText& chart, Issues& issues) {
 }
 
 }  // namespace
+
+Issues with_independent(Issues first, const Issues& more) {
+  add_independent(more, false, first);
+  return first;
+}
 
 LoadResult load_scene_json(std::string_view text, const Settings& settings, const SceneLimits& limits) {
   Issues issues;

@@ -38,4 +38,7 @@ LoadResult load_scene_chart(std::string_view text, const std::string& name, cons
 /// For a scene that came as a message: unknown fields, what convert.h finds, then check().
 LoadResult load_scene_message(const v1::Scene& message, const SceneLimits& limits = {});
 
+/// `first`, then those of `more` that no problem of `first` may have caused: one of the same field or of a part of it.
+Issues with_independent(Issues first, const Issues& more);
+
 }  // namespace slipstitch

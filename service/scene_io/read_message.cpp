@@ -4,7 +4,7 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/unknown_field_set.h>
 
-#include <concepts>
+#include <charconv>
 #include <map>
 #include <optional>
 #include <utility>
@@ -38,15 +38,25 @@ std::vector<std::string> enum_names(const FieldDescriptor& field) {
   return names;
 }
 
+/// Protobuf's JSON mapping writes 64-bit integers as texts, because many programs read numbers as doubles.
+template <class T>
+std::optional<T> whole_number(const std::string& text) {
+  T value = 0;
+  const char* end = text.data() + text.size();
+  const auto parsed = std::from_chars(text.data(), end, value);
+  return parsed.ec == std::errc() && parsed.ptr == end ? std::optional<T>(value) : std::nullopt;
+}
+
 class Reader {
  public:
-  Reader(std::string_view text, Issues& issues) : text_(text), issues_(issues) {}
+  Reader(std::string_view text, Issues& issues) : places_(text), issues_(issues) {}
 
   void read(const JsonNode& node, Message& message, const std::string& path) {
     const auto* object = std::get_if<JsonObject>(&node.value);
     if (object == nullptr) return report(path, node, "an object");
     std::map<const OneofDescriptor*, const FieldDescriptor*> chosen;
     for (const JsonMember& member : *object) {
+      if (issues_.full()) return;  // a near name takes its time
       const FieldDescriptor* field = message.GetDescriptor()->FindFieldByName(member.key);
       std::string member_path = path.empty() ? member.key : path + "." + member.key;
       if (field == nullptr) {
@@ -70,7 +80,7 @@ class Reader {
     if (!field.is_repeated()) return read_value(node, message, field, path);
     const auto* array = std::get_if<JsonArray>(&node.value);
     if (array == nullptr) return report(path, node, "an array");
-    for (std::size_t i = 0; i < array->size(); ++i) {
+    for (std::size_t i = 0; i < array->size() && !issues_.full(); ++i) {
       read_value((*array)[i], message, field, path + "[" + std::to_string(i) + "]");
     }
   }
@@ -143,6 +153,8 @@ class Reader {
       value = static_cast<T>(*whole);
     } else if (const auto* large = std::get_if<std::uint64_t>(&node.value); large && std::in_range<T>(*large)) {
       value = static_cast<T>(*large);
+    } else if (const auto* text = std::get_if<std::string>(&node.value); text && sizeof(T) == sizeof(std::int64_t)) {
+      value = whole_number<T>(*text);
     }
     if (!value) {
       report(path, node,
@@ -189,16 +201,12 @@ class Reader {
   }
 
   void report(const std::string& path, std::size_t offset, std::string value, std::string expected) {
-    if (issues_.size() > kMaxIssues) return;
-    if (issues_.size() == kMaxIssues) {
-      issues_.push_back({"", "", "at most " + std::to_string(kMaxIssues) + " problems; the rest is not listed"});
-      return;
-    }
-    TextPlace at = place_of(text_, offset);
+    if (issues_.full()) return;
+    const TextPlace at = places_.of(offset);
     issues_.push_back({path, std::move(value), std::move(expected), false, at.line, at.column});
   }
 
-  std::string_view text_;
+  PlaceFinder places_;
   Issues& issues_;
 };
 
@@ -211,7 +219,7 @@ void read_message(const JsonNode& root, std::string_view text, Message& message,
 void find_unknown_fields(const Message& message, const std::string& path, Issues& issues) {
   const Reflection& reflection = *message.GetReflection();
   const auto& unknown = reflection.GetUnknownFields(message);
-  for (int i = 0; i < unknown.field_count() && issues.size() < kMaxIssues; ++i) {
+  for (int i = 0; i < unknown.field_count() && !issues.full(); ++i) {
     issues.push_back({path, "unknown field number " + std::to_string(unknown.field(i).number()),
                       "fields of " + message.GetDescriptor()->name() + " that this version knows"});
   }

@@ -11,11 +11,9 @@
 
 namespace slipstitch {
 
-/// Problems reported per document; the last one says that there are more.
-inline constexpr std::size_t kMaxIssues = 100;
-
 /// Fills an empty message from a document, strictly: names as in the schema, no null, numbers as numbers, whole numbers
-/// for integers, enums by name, one member per oneof. Every problem is appended with its path and its place in `text`.
+/// for integers (those of 64 bits also as texts), enums by name, one member per oneof. Every problem is appended with
+/// its path and its place in `text`.
 void read_message(const JsonNode& root, std::string_view text, google::protobuf::Message& message, Issues& issues);
 
 /// Fields that a message carries but this schema does not know: a newer client. Paths of their parents.

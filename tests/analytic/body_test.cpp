@@ -6,6 +6,7 @@
 #include "sim/body_motion.h"
 #include "sim/handle_forces.h"
 #include "sim/prepare.h"
+#include "sim/run.h"
 #include "support/knit_scene.h"
 
 namespace slipstitch::testing {
@@ -119,6 +120,43 @@ TEST(Body, RestsInAHammockWhoseHandlesCarryIt) {
   EXPECT_NEAR(sum.y(), weight, 1e-3 * weight);
   EXPECT_NEAR(sum.x(), 0.0, 1e-3 * weight);
   EXPECT_NEAR(sum.z(), 0.0, 1e-3 * weight);
+}
+
+/// A yarn that nothing holds, above a fixed ball; what comes down on it is still to be added.
+Scene yarn_above_a_ball() {
+  Scene scene = yarns_and(Collider{Sphere{{0.01, -0.2, 0.0}, 0.01}, 0.3, {}},
+                          {straight_yarn({0.0, 0.0, 0.0}, {0.02, 0.0, 0.0}, 10)});
+  scene.duration_s = 0.2;
+  return scene;
+}
+
+TEST(Body, PinchesYarnAgainstABallAndBouncesOff) {
+  Scene scene = yarn_above_a_ball();
+  scene.effects.colliders->colliders.push_back(ball({0.01, 0.02, 0.0}, 5e-3, 0.01, 0.3, {0.0, -2.0, 0.0}));
+  ASSERT_TRUE(check(scene).empty());
+  double deepest = -1.0, speed = 0.0;
+  RunHooks hooks;
+  hooks.on_step = [&](Simulation& sim, const StepReport& report) {
+    if (!report.accepted) return;
+    deepest = std::max(deepest, overlap(sim));
+    speed = the_body(sim).velocity_m_per_s.y();
+  };
+  const RunSummary summary = run(scene, 1, hooks);
+  EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;
+  std::printf("pinched %.3f radii deep, back at %.2f m/s\n", deepest / scene.yarn.radius_m, speed);
+  EXPECT_GT(deepest, 0.05 * scene.yarn.radius_m);
+  EXPECT_LE(deepest, 0.1 * scene.yarn.radius_m);
+  EXPECT_GT(speed, 0.0);
+}
+
+TEST(Body, AScriptThatLeavesYarnNoRoomIsNamed) {
+  Scene scene = yarn_above_a_ball();
+  const std::vector<Keyframe> through{{0.0, Vec3::Zero(), Vec3::Zero()}, {0.2, {0.0, -0.22, 0.0}, Vec3::Zero()}};
+  scene.effects.colliders->colliders.push_back(Collider{Sphere{{0.01, 0.02, 0.0}, 5e-3}, 0.3, through});
+  const RunSummary summary = run(scene, 1, {});
+  EXPECT_EQ(summary.status, RunStatus::failed);
+  EXPECT_NE(summary.message.find("colliders leaves no room for point 4 of yarn 0"), std::string::npos)
+      << summary.message;
 }
 
 /// One step, or several in its place where it does not converge; `visit` sees every accepted one.

@@ -7,6 +7,9 @@
 namespace slipstitch::gauntlet {
 namespace {
 
+constexpr double kStep_s = 1.0 / 240.0;
+constexpr double kToAndFro = 1e-3;  // [m], in one step
+
 GauntletCase stiff_in_stretch() {
   GauntletCase item = named("stretch-times-1000", "yarn a thousand times stiffer in stretch", swatch(6, 6));
   hang(item.scene);
@@ -33,7 +36,8 @@ GauntletCase heavy() {
   return item;
 }
 
-/// All lengths times `scale`; stiffnesses as of one material: EA by its square, EI by its fourth power.
+/// All lengths times `scale`; stiffnesses as of one material: EA by its square, EI by its fourth power. What the solver
+/// leaves of forces and speeds is the same share of them.
 GauntletCase scaled(const char* name, double radius) {
   GauntletCase item = named(name, "the same fabric of yarn of another size", swatch(5, 5));
   hang(item.scene);
@@ -48,6 +52,10 @@ GauntletCase scaled(const char* name, double radius) {
   damping.bending_nm2s *= std::pow(scale, 4);
   damping.wrapping_ns *= scale * scale;
   *damping.sliding_ns_per_m *= scale;
+  FixedNumerics numerics;
+  numerics.force_tolerance_n *= scale * scale;
+  numerics.velocity_tolerance_m_per_s *= scale;
+  scene.numerics = numerics;
   return item;
 }
 
@@ -55,6 +63,33 @@ GauntletCase friction(const char* name, double coefficient) {
   GauntletCase item = named(name, "sliding friction far from any yarn's", swatch(6, 6));
   hang(item.scene);
   item.scene.effects.sliding_friction->coefficient = coefficient;
+  return item;
+}
+
+/// A load of 0.05 N keeps the yarn taut. It slips through the crossing at 0.05 N of friction, 1 mm each step.
+GauntletCase switching_friction() {
+  GauntletCase item = named("friction-switching", "a yarn drawn through a crossing, the other way at every step", {});
+  Scene& scene = item.scene;
+  BareYarn drawn, across;
+  for (int i = 0; i <= 4; ++i) {
+    drawn.points.push_back({0.01 * (i - 2), 0, 0});
+    across.points.push_back({0, 0, 0.01 * (i - 2)});
+  }
+  scene.yarns = {drawn, across};
+  scene.crossings = {{0, 2, 1, 2}};
+  Effects& on = scene.effects;
+  on.inertia.emplace();
+  on.stretch.emplace();
+  on.bending.emplace();
+  on.sliding.emplace();
+  on.sliding_friction = SlidingFrictionEffect{.coefficient = 0.5, .normal_force_n = 0.1};
+  on.damping = DampingEffect{.stretch_ns = 1e-3, .bending_nm2s = 1e-8, .sliding_ns_per_m = 0.1};
+  scene.handles = {pin(YarnPoint{1, 0}), pin(YarnPoint{1, -1}), pin(YarnPoint{0, -1})};
+  scene.duration_s = 0.2;
+  for (int k = 1; k * kStep_s <= scene.duration_s; ++k)
+    scene.handles[2].motion.push_back({k * kStep_s, {k % 2 == 0 ? 0.0 : kToAndFro, 0, 0}, Vec3::Zero()});
+  scene.loads = {{YarnPoint{0, 0}, {-0.05, 0, 0}}};
+  item.about_motion = true;
   return item;
 }
 
@@ -67,7 +102,16 @@ std::vector<GauntletCase> extreme_cases() {
           scaled("radius-10-um", 10e-6),
           scaled("radius-10-mm", 10e-3),
           friction("sliding-friction-0", 0.0),
-          friction("sliding-friction-10", 10.0)};
+          friction("sliding-friction-1", 1.0),
+          friction("sliding-friction-10", 10.0),
+          switching_friction()};
+}
+
+GauntletCase largest_case() {
+  GauntletCase item = named("two-hundred-courses", "200 x 200 stitches for ten steps", swatch(200, 200));
+  hang(item.scene);
+  item.scene.duration_s = 10.0 * kStep_s;
+  return item;
 }
 
 std::vector<GauntletCase> gauntlet_cases() {

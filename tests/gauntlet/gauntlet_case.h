@@ -17,6 +17,7 @@ struct Settings {
   double step_factor = 1.0, stiffness_factor = 1.0;  // of EA and EI together
   bool quasi_static = false;                         // instead of implicit Euler; not for cases that are about motion
   bool simplicial = false;                           // the other factorisation
+  Integrator integrator = Integrator::implicit_euler;
   Naive naive = {};
 };
 
@@ -30,6 +31,9 @@ struct GauntletCase {
 
 /// All of them, by name unique.
 std::vector<GauntletCase> gauntlet_cases();
+
+/// The one that is too large for any settings but its own.
+GauntletCase largest_case();
 
 /// The groups of gauntlet_cases().
 std::vector<GauntletCase> yarn_cases();

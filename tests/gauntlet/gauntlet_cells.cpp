@@ -20,7 +20,7 @@ constexpr NaiveVariant kVariants[] = {
     {"unprojected Hessians", &Naive::unprojected_hessian},
     {"explicit friction", &Naive::explicit_friction},
     {"inertia without velocity terms", &Naive::no_velocity_terms},
-    {"linearised one-solve integrator", &Naive::one_solve},
+    {"linearised one-solve integrator", nullptr},
 };
 
 }  // namespace
@@ -48,14 +48,24 @@ std::vector<Cell> naive_cells(const std::vector<GauntletCase>& cases) {
   for (const NaiveVariant& variant : kVariants)
     for (int i = 0; i < static_cast<int>(cases.size()); ++i) {
       cells.push_back({i, {}});
-      cells.back().settings.naive.*variant.set = true;
+      make_naive(variant, cells.back().settings);
     }
   return cells;
 }
 
-std::string naive_name(const Naive& naive) {
-  for (const NaiveVariant& variant : kVariants)
-    if (naive.*variant.set) return variant.name;
+void make_naive(const NaiveVariant& variant, Settings& settings) {
+  if (variant.set == nullptr) {
+    settings.integrator = Integrator::linearised_euler;
+  } else {
+    settings.naive.*variant.set = true;
+  }
+}
+
+std::string naive_name(const Settings& settings) {
+  for (const NaiveVariant& variant : kVariants) {
+    const bool linearised = settings.integrator == Integrator::linearised_euler;
+    if (variant.set == nullptr ? linearised : settings.naive.*variant.set) return variant.name;
+  }
   return {};
 }
 
@@ -68,7 +78,7 @@ std::string settings_text(const Settings& settings) {
   add(settings.stiffness_factor != 1.0, "stiffness x" + number_text(settings.stiffness_factor));
   add(settings.quasi_static, "static");
   add(settings.simplicial, "simplicial");
-  const std::string naive = naive_name(settings.naive);
+  const std::string naive = naive_name(settings);
   add(!naive.empty(), naive);
   return text.empty() ? "as it is" : text;
 }

@@ -20,15 +20,16 @@ std::vector<Cell> gauntlet_cells(const std::vector<GauntletCase>& cases);
 
 struct NaiveVariant {
   const char* name;
-  bool Naive::*set;
+  bool Naive::*set;  // null: of the integrator, linearised Euler
 };
 std::span<const NaiveVariant> naive_variants();
+void make_naive(const NaiveVariant& variant, Settings& settings);
 
 /// Every case as it is, once with each naive variant.
 std::vector<Cell> naive_cells(const std::vector<GauntletCase>& cases);
 
 /// Name of the variant that is set; empty: none.
-std::string naive_name(const Naive& naive);
+std::string naive_name(const Settings& settings);
 
 /// "step x0.01, stiffness x1000, static, simplicial"; "as it is".
 std::string settings_text(const Settings& settings);

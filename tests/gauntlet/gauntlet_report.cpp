@@ -26,7 +26,7 @@ const Reading& worst_reading(const CellResult& result) {
   });
 }
 
-bool is_naive(const CellRow& row) { return !naive_name(row.cell.settings.naive).empty(); }
+bool is_naive(const CellRow& row) { return !naive_name(row.cell.settings).empty(); }
 
 /// Sums over the cells of one case.
 struct CaseRow {
@@ -96,6 +96,7 @@ bool is_lost(const CellRow& naive, std::span<const CellRow> rows) {
   if (naive.result.outcome != Outcome::failed) return false;
   Settings settings = naive.cell.settings;
   settings.naive = {};
+  settings.integrator = Integrator::implicit_euler;
   return std::any_of(rows.begin(), rows.end(), [&](const CellRow& row) {
     return row.item == naive.item && settings_text(row.cell.settings) == settings_text(settings) &&
            row.result.outcome != Outcome::failed;
@@ -108,7 +109,7 @@ std::string naive_table(std::span<const CellRow> rows) {
     int lost = 0, all = 0;
     std::string which;
     for (const CellRow& row : rows) {
-      if (naive_name(row.cell.settings.naive) != variant.name) continue;
+      if (naive_name(row.cell.settings) != variant.name) continue;
       ++all;
       if (!is_lost(row, rows)) continue;
       ++lost;

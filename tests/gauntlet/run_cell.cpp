@@ -122,6 +122,7 @@ Scene scene_of(const GauntletCase& item, const Settings& settings) {
   scene.yarn.stretch_n *= settings.stiffness_factor;
   scene.yarn.bending_nm2 *= settings.stiffness_factor;
   auto& numerics = std::get<FixedNumerics>(scene.numerics);
+  numerics.integrator = settings.integrator;
   numerics.time_step_s *= settings.step_factor;
   scene.frames_per_s = std::min(scene.frames_per_s, 1.0 / numerics.time_step_s);
   if (settings.step_factor < 1.0) scene.duration_s = std::min(scene.duration_s, kMostSteps * numerics.time_step_s);

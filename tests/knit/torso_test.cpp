@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <limits>
 
 #include "collide/rigid_body.h"
+#include "force/segments.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
 #include "support/energy_budget.h"
@@ -19,6 +22,20 @@ struct Extent {
 Extent extent_of(const VecX& q, int nodes) {
   const Eigen::Map<const Eigen::Matrix3Xd> x(q.data(), 3, nodes);
   return {x.rowwise().minCoeff(), x.rowwise().maxCoeff()};
+}
+
+/// Of any point of the yarn, 10 to a segment, in the body [m].
+double deepest_in(const RigidBody& body, const Simulation& sim) {
+  const Topology& topology = sim.model().topology;
+  const VecX& q = sim.state().q;
+  double least = std::numeric_limits<double>::infinity();
+  for_each_owned_segment(topology, [&](int, int i) {
+    const auto v = static_cast<std::size_t>(i);
+    const Vec3 a = q.segment<3>(topology.x_coord(topology.visit_node[v])),
+               b = q.segment<3>(topology.x_coord(topology.visit_node[v + 1]));
+    for (int k = 0; k <= 10; ++k) least = std::min(least, body.distance(a + 0.1 * k * (b - a)).phi);
+  });
+  return sim.model().yarn.radius_m - least;
 }
 
 /// A tube held by its top, and a capsule a little too thick for it that comes up through it from below.
@@ -60,8 +77,7 @@ TEST(Torso, GoesIntoATubeThatIsTooNarrowForIt) {
     ASSERT_TRUE(report.accepted) << "step " << step << ": " << to_string(report.newton.status);
     body.move_to(sim.state().t);
     budget.after_step(rise / 60.0 * up);
-    for (int n = 0; n < sim.model().topology.num_nodes; ++n)
-      deepest = std::max(deepest, sim.model().yarn.radius_m - body.distance(sim.state().q.segment<3>(3 * n)).phi);
+    deepest = std::max(deepest, deepest_in(body, sim));
   }
   int around = 0;  // stitches beside the cylinder: the tube is on, not pushed up ahead of it
   for (const Stitch& stitch : sim.model().topology.stitches) {

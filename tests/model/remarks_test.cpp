@@ -29,6 +29,7 @@ const std::vector<Case>& cases() {
       {"effects.gravity cannot", [](Scene& s) { s.effects.gravity->acceleration_m_per_s2.setZero(); }},
       {"effects.wrapping cannot", [](Scene& s) { s.effects.wrapping->alpha = 0.0; }},
       {"effects.sliding_friction cannot", [](Scene& s) { s.effects.sliding_friction->coefficient = 0.0; }},
+      {"effects.sliding_friction cannot", [](Scene& s) { s.effects.sliding_friction->normal_force_n = 0.0; }},
       {"effects.bending_jamming cannot", [](Scene& s) { s.effects.bending_jamming->max_factor = 1.0; }},
       {"effects.damping cannot",
        [](Scene& s) {
@@ -83,6 +84,38 @@ TEST(Remarks, KnowYarnThatIsASpring) {
   EXPECT_TRUE(says(bent, "nothing moves the yarn"));
   scene.yarns[0].arc_lengths_m = {0.0, 0.9, 1.8};
   EXPECT_FALSE(says(scene, "nothing moves the yarn"));
+}
+
+TEST(Remarks, KnowThatOnlyWrapsAreDampedInWrapping) {
+  Scene scene;
+  scene.yarns.resize(1);
+  scene.yarns[0].points = {Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX()};
+  scene.effects.stretch.emplace();
+  scene.effects.damping = DampingEffect{0.0, 0.0, 1e-3, 0.0};
+  EXPECT_TRUE(says(scene, "it damps nothing that moves"));
+  scene.effects.damping->bending_nm2s = 1e-9;
+  EXPECT_FALSE(says(scene, "it damps nothing that moves"));
+}
+
+TEST(Remarks, DampingMattersToStaticScenesThatScriptsMove) {
+  Scene scene = quiet_scene();
+  scene.effects.inertia.reset();
+  EXPECT_FALSE(says(scene, "damping"));
+}
+
+TEST(Remarks, KnowThatNothingFallsWithoutWeight) {
+  Scene scene = quiet_scene();
+  scene.handles.clear();
+  scene.effects.gravity->acceleration_m_per_s2.setZero();
+  EXPECT_FALSE(says(scene, "falls onto nothing"));
+}
+
+TEST(Remarks, KnowThatWhatFallsIsNoEquilibrium) {
+  Scene scene = quiet_scene();
+  scene.effects.inertia.reset();
+  EXPECT_FALSE(says(scene, "no equilibrium"));
+  scene.handles.clear();
+  EXPECT_TRUE(says(scene, "effects.inertia is probably missing"));
 }
 
 TEST(Remarks, TakeGuidesForSupports) {
@@ -146,6 +179,68 @@ TEST(Remarks, KnowYarnTooShortForAnEffect) {
   scene.yarns[0].points.pop_back();
   scene.yarns.push_back(scene.yarns[0]);
   EXPECT_FALSE(says(scene, "cannot meet itself"));
+}
+
+TEST(Remarks, KnowWhatNeedsAnEffectThatCannotMatter) {
+  Scene scene;
+  scene.yarns.resize(1);
+  scene.yarns[0].points = {Vec3::Zero(), Vec3::UnitX(), 2.0 * Vec3::UnitX()};
+  scene.effects.stretch.emplace();
+  scene.effects.sliding.emplace();
+  scene.effects.sliding_friction.emplace();
+  scene.guides = {{0, 1}};
+  EXPECT_FALSE(says(scene, "cannot matter here: it needs"));
+  scene.guides.clear();
+  EXPECT_TRUE(says(scene, "effects.sliding_friction cannot matter here: it needs sliding, which cannot matter"));
+}
+
+TEST(Remarks, KnowThatNoBendYieldsAboveAHalfTurn) {
+  Scene scene = quiet_scene();
+  scene.effects.plasticity.emplace();
+  EXPECT_FALSE(says(scene, "plasticity cannot matter"));
+  scene.effects.plasticity->yield_angle_rad = 3.2;
+  EXPECT_TRUE(says(scene, "effects.plasticity cannot matter here: no bend angle exceeds pi"));
+}
+
+/// Two straight yarns a centimetre apart, the first one held.
+Scene two_yarns() {
+  Scene scene;
+  scene.yarns.resize(2);
+  for (int i = 0; i < 2; ++i)
+    scene.yarns[static_cast<std::size_t>(i)].points = {0.01 * i * Vec3::UnitY(),
+                                                       0.01 * i * Vec3::UnitY() + Vec3::UnitX(),
+                                                       0.01 * i * Vec3::UnitY() + 2.0 * Vec3::UnitX()};
+  scene.effects.inertia.emplace();
+  scene.effects.stretch.emplace();
+  scene.handles = {Handle{YarnPoint{0, 0}, {}, false}};
+  return scene;
+}
+
+TEST(Remarks, SeeThePieceThatNothingHolds) {
+  Scene scene = two_yarns();
+  scene.effects.gravity.emplace();
+  EXPECT_TRUE(says(scene, "a piece of yarn that nothing holds falls onto nothing"));
+  Scene other = scene;
+  other.handles.push_back(Handle{YarnPoint{1, 1}, {}, false});
+  EXPECT_FALSE(says(other, "falls onto nothing"));
+  other = scene;
+  other.crossings = {{0, 1, 1, 1}};
+  EXPECT_FALSE(says(other, "falls onto nothing"));
+  other = scene;
+  other.effects.self_collision.emplace();  // it may fall on the other yarn
+  EXPECT_FALSE(says(other, "falls onto nothing"));
+}
+
+TEST(Remarks, KnowThatThrownYarnPassesThroughOther) {
+  Scene scene = two_yarns();
+  EXPECT_FALSE(says(scene, "self_collision is probably missing"));
+  scene.yarns[1].velocity_m_per_s = -Vec3::UnitY();
+  EXPECT_TRUE(says(scene, "self_collision is probably missing: yarn that is thrown passes through other yarn"));
+  Scene joined = scene;
+  joined.crossings = {{0, 1, 1, 1}};
+  EXPECT_FALSE(says(joined, "self_collision"));
+  scene.effects.self_collision.emplace();
+  EXPECT_FALSE(says(scene, "self_collision"));
 }
 
 TEST(Remarks, KnowThatWindTakesHoldByDrag) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scene_io/json_tree.h"
 #include "scene_text.h"
 #include "support/sample_run.h"
 
@@ -161,8 +162,69 @@ TEST(BadInput, ListOfProblemsIsBounded) {
   for (int i = 0; i < 1000; ++i) text += "null, ";
   LoadResult result = load_scene_json(text + "1]}]}");
   const Issues& issues = std::get<Issues>(result);
-  EXPECT_LE(issues.size(), 102u);
+  EXPECT_EQ(issues.size(), kMaxIssues + 1);
   EXPECT_NE(issue_lines(issues).find("the rest is not listed"), std::string::npos);
+}
+
+TEST(BadInput, NoNumberOfProblemsMakesALongList) {
+  const auto many = [](const std::string& before, const std::string& part, const std::string& after) {
+    std::string text = before;
+    for (int i = 0; i < 100'000; ++i) text += part;
+    return text + after;
+  };
+  for (const std::string& text :
+       {many("{", R"("name":"a",)", R"("yarns":[]})"), many("{", R"("nam":1,)", R"("yarns":[]})"),
+        many(R"({"guides":[)", "1,", "1]}"), many(R"({"handles":[)", "{},", "{}]}"),
+        many(R"({"knit":{"chart":{"rows":[)", R"("X",)", R"("Z"]}}})"),
+        many(R"({"knit":{"worked_rows":{"rows":[")", "X", R"("]}}})"),
+        many(R"({"effects":{"colliders":{"colliders":[)", R"({"dynamic":{"velocity_m_per_s":[1]}},)", "{}]}}}"),
+        many(R"({"handles":[{"motion":[)", R"({"rotation_rad":[1]},)", "{}]}]}")}) {
+    const LoadResult result = load_scene_json(text);
+    const Issues& issues = std::get<Issues>(result);
+    EXPECT_EQ(issues.size(), kMaxIssues + 1) << text.substr(0, 60) << "\n" << issue_line(issues.front());
+    EXPECT_TRUE(issues.full());
+  }
+}
+
+TEST(BadInput, ProblemsOfLongTextsAreShort) {
+  const std::string x(1 << 20, 'x');
+  for (const std::string& text :
+       {with_rows("\"" + x + "\""), R"({"name":)" + x + "}", R"({"name":")" + x, R"({")" + x + R"(":1})",
+        R"({"duration_s":")" + x + R"("})", R"({"handles":[{"where":{"edge":")" + x + R"("}}]})",
+        R"({"knit":{"preset":{"name":")" + x + R"(","courses":2,"wales":2}}})"}) {
+    const LoadResult result = load_scene_json(text);
+    for (const Issue& issue : std::get<Issues>(result)) {
+      EXPECT_LT(issue_line(issue).size(), 1500U) << issue_line(issue).substr(0, 300);
+    }
+  }
+}
+
+TEST(BadInput, SizesOfChartsComeBeforeLetters) {
+  for (const char* kind : {"chart", "worked_rows"}) {
+    const std::string rows = "[\"" + std::string(200'000, 'X') + "\",\"" + std::string(50'001, 'Z') + "\"]";
+    const LoadResult result = load_scene_json(std::string(R"({"knit":{")") + kind + R"(":{"rows":)" + rows +
+                                              R"(},"gauge":{"yarn_per_stitch_m":0.01}}})");
+    const Issues& issues = std::get<Issues>(result);
+    ASSERT_EQ(issues.size(), 1U) << issue_lines(issues);
+    EXPECT_TRUE(issues.front().too_big);
+    EXPECT_EQ(issues.front().path, std::string("knit.") + kind + ".rows");
+    EXPECT_EQ(issues.front().value, "250001 stitches");
+    EXPECT_EQ(issues.front().limit, 250'000);
+  }
+}
+
+// Places of many problems are found in one reading of the text, in any order.
+TEST(BadInput, PlacesAreFoundInAnyOrder) {
+  const std::string text = "a\n\xc3\xa9\xc3\xa9 b\nc";
+  PlaceFinder places(text);
+  for (const std::size_t offset : {7U, 2U, 8U, 8U, 0U, 100U}) {
+    const TextPlace place = places.of(offset), alone = place_of(text, offset);
+    EXPECT_EQ(place.line, alone.line) << offset;
+    EXPECT_EQ(place.column, alone.column) << offset;
+  }
+  EXPECT_EQ(places.of(7).line, 2);
+  EXPECT_EQ(places.of(7).column, 4);
+  EXPECT_EQ(places.of(kNoOffset).line, 0);
 }
 
 TEST(BadInput, ValuesOfProblemsAreUtf8) {

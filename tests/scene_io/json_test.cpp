@@ -3,6 +3,7 @@
 
 #include "scene_io/json_parse.h"
 #include "scene_io/nearest_name.h"
+#include "scene_io/read_message.h"
 #include "scene_io/spec_hash.h"
 #include "scene_text.h"
 
@@ -55,6 +56,29 @@ TEST(Json, TheFirstOfDuplicateKeysIsKept) {
   EXPECT_EQ(std::get<std::int64_t>(nearest_node(*root, "c").value), 3);
 }
 
+std::string repeated(const std::string& text, long times) {
+  std::string result;
+  for (long i = 0; i < times; ++i) result += text;
+  return result;
+}
+
+// A short text could else take gigabytes.
+TEST(Json, HasALimitOfValues) {
+  const auto problem = [](const std::string& text) {
+    Issues issues;
+    const bool read = parse_json(text, issues).has_value();
+    EXPECT_EQ(read, issues.empty());
+    return issues.empty() ? Issue() : issues[0];
+  };
+  EXPECT_EQ(problem("{\"a\": [" + repeated("0,", kMaxJsonValues - 21) + "0]}").expected, "");
+  const Issue numbers = problem("{\"a\": [" + repeated("0,", kMaxJsonValues - 20) + "0]}");
+  EXPECT_EQ(numbers.path, "a");
+  EXPECT_EQ(numbers.expected, "at most 8000000 values");
+  EXPECT_TRUE(numbers.too_big);
+  EXPECT_EQ(numbers.limit, kMaxJsonValues);
+  EXPECT_TRUE(problem("[" + repeated("{},", kMaxJsonValues / 10) + "0]").too_big);
+}
+
 TEST(Json, NearestNames) {
   const std::vector<std::string> known{"radius_m", "stretch_n", "bending_nm2"};
   EXPECT_EQ(nearest_name("radiusM", known), "radius_m");
@@ -72,6 +96,22 @@ TEST(Json, HashIsSha256OfTheSerialisation) {
   v1::Scene other = scene;
   other.set_duration_s(0.0);  // present, though zero
   EXPECT_NE(message_hash(other), message_hash(scene));
+}
+
+// As protobuf's JSON mapping writes 64-bit integers.
+TEST(Json, WideIntegersMayBeTexts) {
+  const auto seed = [](const std::string& value) {
+    Issues issues;
+    v1::Knit knit;
+    const std::string text = "{\"noise_seed\": " + value + "}";
+    read_message(*parse_json(text, issues), text, knit, issues);
+    return issues.empty() ? std::to_string(knit.noise_seed()) : issue_lines(issues);
+  };
+  EXPECT_EQ(seed("\"18446744073709551615\""), "18446744073709551615");
+  EXPECT_EQ(seed("7"), "7");
+  for (const char* wrong : {"\"\"", "\"-1\"", "\"7 \"", "\"7.0\"", "\"18446744073709551616\"", "\"0x7\""}) {
+    EXPECT_NE(seed(wrong).find("expected a whole number"), std::string::npos) << seed(wrong);
+  }
 }
 
 }  // namespace

@@ -113,6 +113,28 @@ TEST(Newton, SolvesAQuadraticInOneStep) {
   EXPECT_LT((a * x - b).norm(), 1e-11);
 }
 
+TEST(Newton, AsksForNoMoreThanTheLastDigitsLetItKnow) {
+  // A stiff spring between two unknowns far from zero: one digit of either is a force of 1e12 x 1e-13.
+  Mat<2> a;
+  a << 1e12 + 1.0, -1e12, -1e12, 1e12 + 1.0;
+  const double far = 1000.0 / 3.0;
+  Function q = quadratic(a, Vec<2>(far, far));
+  q.f = [far](const VecX& x) { return 0.5e12 * std::pow(x[0] - x[1], 2) + 0.5 * (x - Vec<2>(far, far)).squaredNorm(); };
+  q.gradient = [far](const VecX& x) -> VecX {
+    const double spring = 1e12 * (x[0] - x[1]);
+    return Vec<2>(spring + x[0] - far, -spring + x[1] - far);
+  };
+  VecX x = Vec<2>(far + 1.0, far - 1.0);
+  const NewtonReport report = minimise(q, until_gradient(1e-9), x);
+  EXPECT_EQ(report.status, NewtonStatus::converged);
+  EXPECT_LT(report.iterations, 10);
+  EXPECT_LT((x - Vec<2>(far, far)).norm(), 1e-4);  // a soft unknown is known as well as the stiff spring is
+  VecX near = Vec<2>(1.0, -1.0);
+  Function exact = quadratic(a, Vec<2>(0.0, 0.0));  // where every digit can be known it is asked for
+  EXPECT_EQ(minimise(exact, until_gradient(1e-9), near).status, NewtonStatus::converged);
+  EXPECT_LE(exact.gradient(near).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 /// Records what Newton asks for; with the predicted stress wrong by `off`.
 class Recorder final : public Objective {
  public:

@@ -34,7 +34,8 @@ TEST(ChooseEffects, KeepsWhatMattersAndDropsWhatDoesNot) {
   const Effects& effects = chosen.scene.effects;
   EXPECT_FALSE(effects.automatic);
   EXPECT_TRUE(effects.gravity && effects.inertia && effects.stretch);
-  EXPECT_FALSE(effects.bending || effects.sliding || effects.wrapping || effects.air_drag || effects.damping);
+  EXPECT_TRUE(effects.bending && effects.bending_jamming) << "no bound shows that it never curls up";
+  EXPECT_FALSE(effects.sliding || effects.wrapping || effects.air_drag || effects.damping);
   EXPECT_DOUBLE_EQ(chosen.choice.window_s, 0.05);  // ten steps
   EXPECT_DOUBLE_EQ(chosen.choice.tolerance_m, 1e-3);
   const EffectVerdict* gravity = verdict_on(chosen.choice, "gravity");
@@ -80,13 +81,9 @@ TEST(ChooseEffects, KeepsWhatCanSwitchOnLater) {
   scene.effects.plasticity.emplace();
   const ChosenScene chosen = choose_effects(scene, 1, {});
   const Effects& effects = chosen.scene.effects;
-  EXPECT_TRUE(effects.self_collision);
-  if (effects.bending) {
-    EXPECT_TRUE(effects.bending_jamming && effects.plasticity);
-  }
-  if (effects.sliding) {
-    EXPECT_TRUE(effects.parallel_contact);
-  }
+  EXPECT_TRUE(effects.self_collision && effects.bending_jamming && effects.plasticity && effects.parallel_contact);
+  EXPECT_TRUE(effects.bending && effects.sliding) << "what they need, though a metre is allowed";
+  EXPECT_NE(verdict_on(chosen.choice, "sliding")->why.find("parallel_contact needs it"), std::string::npos);
   EXPECT_FALSE(verdict_on(chosen.choice, "self_collision")->difference_m);
   scene.effects.plasticity->yield_angle_rad = kPi;
   EXPECT_FALSE(choose_effects(scene, 1, {}).scene.effects.plasticity);
@@ -97,7 +94,7 @@ TEST(ChooseEffects, KeepsWhatAListedEffectNeedsThatMayActLater) {
   scene.effects.plasticity.emplace();
   const ChosenScene chosen = choose_effects(scene, 1, {});
   EXPECT_TRUE(chosen.scene.effects.plasticity && chosen.scene.effects.bending);
-  EXPECT_NE(verdict_on(chosen.choice, "bending")->why.find("plasticity is listed"), std::string::npos);
+  EXPECT_NE(verdict_on(chosen.choice, "bending")->why.find("needs it and may act later"), std::string::npos);
 }
 
 TEST(ChooseEffects, NeverMakesASceneThatWouldBeRefused) {
@@ -116,7 +113,8 @@ TEST(ChooseEffects, TheRunReportsTheChoice) {
   const RunSummary summary = run_scene(falling_yarn(), 1, {});
   EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;
   ASSERT_TRUE(summary.effect_choice);
-  EXPECT_EQ(summary.effects, (std::vector<std::string>{"inertia", "gravity", "stretch", "self_collision"}));
+  EXPECT_EQ(summary.effects, (std::vector<std::string>{"inertia", "gravity", "stretch", "bending", "bending_jamming",
+                                                       "self_collision"}));
   EXPECT_GT(summary.effect_choice->wall_s, 0.0);
   Scene listed = hanging_yarn();
   listed.duration_s = 0.05;
