@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "grpc/frames_service.h"
 
-#include "grpc/frame_source.h"
-#include "grpc/job_message.h"
+#include "api/frame_source.h"
+#include "api/job_message.h"
 
 namespace slipstitch {
 namespace {
@@ -28,9 +28,7 @@ class FramesReactor final : public StreamReactor<v1::StreamFramesResponse> {
   }
 
   End open() {
-    if (request_.has_end_index() && request_.end_index() < request_.first_index()) {
-      return jobs::invalid_field("end_index", std::to_string(request_.end_index()), "at least first_index");
-    }
+    if (auto wrong = check_range(request_)) return std::move(*wrong);
     const jobs::Outcome<RunDir> dir = store().folder(job());
     if (!dir) return dir.error();
     source_.emplace(*dir, request_);

@@ -3,10 +3,14 @@
 
 #include <grpcpp/support/proto_buffer_reader.h>
 
+#include "api/artefacts.h"
+#include "api/create_job.h"
+#include "api/job_message.h"
+#include "api/list_jobs.h"
 #include "grpc/artefacts.h"
-#include "grpc/create_job.h"
-#include "grpc/job_message.h"
-#include "grpc/message_limits.h"
+#include "grpc/message_values.h"
+#include "model/check_values.h"
+#include "scene_io/json_parse.h"
 
 namespace slipstitch {
 namespace {
@@ -28,20 +32,14 @@ grpc::ServerUnaryReactor* answer_job(grpc::CallbackServerContext* context, const
   return answer(context, status_of(job));
 }
 
-// A page of large summaries is cut short, so that no message is above 1 MiB.
-void fill_list(const jobs::JobPage& page, const jobs::ListQuery& query, v1::ListSimJobsResponse& response) {
-  std::size_t bytes = 0;
-  response.set_next_page_token(page.next_page_token);
-  for (const jobs::Job& job : page.jobs) {
-    v1::SimJob message = message_from_job(job);
-    bytes += message.ByteSizeLong();
-    if (bytes > kMaxListBytes && response.jobs_size() > 0) {
-      const std::string last = id_from_name(response.jobs(response.jobs_size() - 1).name());
-      response.set_next_page_token(jobs::page_token_after(last, query));
-      return;
-    }
-    *response.add_jobs() = std::move(message);
-  }
+bool holds_few_values(const grpc::ByteBuffer& request) {
+  grpc::ByteBuffer bytes(request);
+  grpc::ProtoBufferReader reader(&bytes);
+  return holds_at_most(kMaxJsonValues, *v1::CreateSimJobRequest::descriptor(), reader);
+}
+
+jobs::Error request_of_too_many_values() {
+  return jobs::error_from_issues({too_many("request", "too many", static_cast<int>(kMaxJsonValues), "values")});
 }
 
 class WatchReactor final : public StreamReactor<v1::SimJob> {
@@ -70,6 +68,7 @@ grpc::ServerUnaryReactor* SimJobsService::CreateSimJob(Context* context, const g
   if (request->Length() > static_cast<std::size_t>(max_scene_mib_) << 20) {
     return answer(context, grpc_status(request_too_big(request->Length(), max_scene_mib_)));
   }
+  if (!holds_few_values(*request)) return answer(context, grpc_status(request_of_too_many_values()));
   grpc::ByteBuffer bytes(*request);  // shares the slices; reading consumes the copy
   v1::CreateSimJobRequest message;
   if (!grpc::SerializationTraits<v1::CreateSimJobRequest>::Deserialize(&bytes, &message).ok()) {
@@ -89,9 +88,8 @@ grpc::ServerUnaryReactor* SimJobsService::GetSimJob(Context* context, const v1::
 
 grpc::ServerUnaryReactor* SimJobsService::ListSimJobs(Context* context, const v1::ListSimJobsRequest* request,
                                                       v1::ListSimJobsResponse* response) {
-  const jobs::ListQuery query{request->page_size(), request->page_token(), state_from_message(request->state())};
-  const jobs::Outcome<jobs::JobPage> page = store_.list(query);
-  if (page) fill_list(*page, query, *response);
+  const jobs::Outcome<v1::ListSimJobsResponse> page = list_jobs(store_, *request);
+  if (page) *response = *page;
   return answer(context, status_of(page));
 }
 

@@ -3,20 +3,11 @@
 
 #include <grpcpp/support/status.h>
 
-#include "google/rpc/status.pb.h"
-#include "jobs/error.h"
-#include "jobs/job.h"
+#include "api/rpc_status.h"
 
 namespace slipstitch {
 
-inline constexpr char kErrorDomain[] = "slipstitch";
-
-/// An error as clients get it: code, message and google.rpc details. HTTP/2 headers are small, so violations beyond
-/// about 4 KiB are left out; the ErrorInfo then says how many ("violations_left_out").
-google::rpc::Status rpc_status(const jobs::Error& error);
+/// With the google.rpc.Status of api/rpc_status.h as details.
 grpc::Status grpc_status(const jobs::Error& error);
-
-/// SimJob.error of a failed job.
-google::rpc::Status rpc_status(const jobs::Failure& failure);
 
 }  // namespace slipstitch

@@ -11,16 +11,20 @@
 
 namespace slipstitch::jobs {
 
+/// Numbers as in google.rpc.Code.
 enum class ErrorCode {
-  invalid_argument,
-  not_found,
-  already_exists,
-  failed_precondition,
-  resource_exhausted,
-  unavailable,
-  aborted,
-  data_loss,
-  internal,
+  invalid_argument = 3,
+  deadline_exceeded = 4,
+  not_found = 5,
+  already_exists = 6,
+  permission_denied = 7,
+  resource_exhausted = 8,
+  failed_precondition = 9,
+  aborted = 10,
+  unimplemented = 12,
+  internal = 13,
+  unavailable = 14,
+  data_loss = 15,
 };
 
 /// Why a request was not done. Transports translate it, word for word.

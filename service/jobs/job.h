@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "run_dir/run_json.h"
@@ -11,6 +13,10 @@
 namespace slipstitch::jobs {
 
 enum class JobState { queued, running, succeeded, failed, cancelled };
+
+inline constexpr std::array kJobStates{JobState::queued, JobState::running, JobState::succeeded, JobState::failed,
+                                       JobState::cancelled};
+std::string_view state_name(JobState state);  // "queued"
 
 inline bool is_terminal(JobState state) { return state != JobState::queued && state != JobState::running; }
 

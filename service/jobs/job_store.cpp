@@ -48,6 +48,12 @@ char list_name(const std::optional<JobState>& state) {
 
 }  // namespace
 
+std::string_view state_name(JobState state) {
+  constexpr std::array<std::string_view, kJobStates.size()> names{"queued", "running", "succeeded", "failed",
+                                                                  "cancelled"};
+  return names[static_cast<std::size_t>(state)];
+}
+
 Issues check_fields(const std::string& request_id, std::int64_t threads) {
   Issues issues;
   if (!is_request_id(request_id)) {
@@ -92,6 +98,13 @@ void JobStore::recover(std::vector<std::string>& warnings) {
 int JobStore::count(JobState state) const {
   return static_cast<int>(std::count_if(jobs_.begin(), jobs_.end(),
                                         [state](const auto& entry) { return entry.second.job.state == state; }));
+}
+
+std::map<JobState, int> JobStore::counts() const {
+  const std::lock_guard lock(mutex_);
+  std::map<JobState, int> counts;
+  for (const JobState state : kJobStates) counts[state] = count(state);
+  return counts;
 }
 
 JobInfo JobStore::info_of(const NewJob& request) const {

@@ -64,6 +64,7 @@ class JobStore {
   Outcome<JobPage> list(const ListQuery& query) const;
   Outcome<Job> cancel(const std::string& id);
   Outcome<Done> remove(const std::string& id);
+  std::map<JobState, int> counts() const;  // of jobs in every state, 0 included
   Outcome<RunDir> folder(const std::string& id) const;
 
   /// Calls `changed` after every change of the job or its frames, from the scheduler's thread or that of a caller,

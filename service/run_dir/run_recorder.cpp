@@ -7,6 +7,7 @@
 
 #include "run_dir/control_log.h"
 #include "run_dir/frame_log.h"
+#include "run_dir/history_csv.h"
 #include "run_dir/vector_csv.h"
 
 namespace slipstitch {
@@ -45,6 +46,7 @@ struct RunRecorder::State {
   ControlLogReader control;
   Throttle progress_due, control_due;
   std::optional<FrameLogWriter> log;
+  std::optional<HistoryCsv> history;
   std::optional<VectorCsv> reactions, bodies;
   std::optional<Progress> unwritten;
   bool cancelled = false;
@@ -63,6 +65,16 @@ struct RunRecorder::State {
 
   void record_frame(const Frame& frame) {
     if (log && error.empty()) note(log->append_frame(frame));
+  }
+
+  void record_report(const FrameReport& report) {
+    if (!error.empty()) return;
+    if (!history) {
+      Result<HistoryCsv> created = HistoryCsv::create(dir.report(), report);
+      if (!created) return note(created.error);
+      history.emplace(std::move(*created));
+    }
+    note(history->append(report));
   }
 
   void record(std::optional<VectorCsv>& csv, const VectorTable& table, double t, const std::vector<Vec3>& vectors) {
@@ -106,6 +118,7 @@ RunHooks RunRecorder::hooks() {
   RunHooks hooks;
   hooks.on_header = [state](const FrameHeader& header) { state->record_header(header); };
   hooks.on_frame = [state](const Frame& frame) { state->record_frame(frame); };
+  hooks.on_frame_report = [state](const FrameReport& report) { state->record_report(report); };
   hooks.on_reactions = [state](double t, const std::vector<Vec3>& forces) {
     state->record(state->reactions, kReactionsTable, t, forces);
   };

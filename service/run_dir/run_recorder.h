@@ -16,9 +16,8 @@ struct RecorderOptions {
   std::function<bool()> should_stop;                 // asked besides control.log; may be empty
 };
 
-/// Writes a run into its directory: frames.log, progress.json, report/reactions.csv where there are handles,
-/// report/bodies.csv where there are dynamic colliders, and with
-/// finish() the end, the last progress and summary.json. When the disk refuses, the run is stopped and its summary says
+/// Writes a run into its directory: frames.log, progress.json, report/history.csv, report/reactions.csv where there are
+/// handles, report/bodies.csv where there are dynamic colliders, and with finish() the end, the last progress and summary.json. When the disk refuses, the run is stopped and its summary says
 /// failed with the reason.
 class RunRecorder {
  public:

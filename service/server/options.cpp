@@ -16,12 +16,21 @@ namespace {
 constexpr int kMaxSceneMib = 1024;
 constexpr int kMaxSlots = 1024;
 constexpr int kMaxQueue = 1'000'000;
+constexpr int kMaxConnections = 100'000;
+constexpr char kNone[] = "none";
 constexpr double kLongest_s = 86'400.0;
 
-std::filesystem::path worker_beside_executable() {
+std::filesystem::path folder_of_executable() {
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? std::filesystem::path("slipstitch-worker") : self.parent_path() / "slipstitch-worker";
+  return error ? std::filesystem::path() : self.parent_path();
+}
+
+std::filesystem::path default_viewer() {
+  const std::filesystem::path parent = folder_of_executable().parent_path();
+  std::error_code error;
+  const std::filesystem::path built = parent / "viewer";
+  return std::filesystem::is_directory(built, error) ? built : parent / "share/slipstitch/viewer";
 }
 
 // HOST:PORT, HOST also as [IPv6].
@@ -39,10 +48,8 @@ std::string version_text() {
   return "slipstitchd " + version_string() + " (BLAS core of new jobs: " + (core.empty() ? "unknown" : core) + ")";
 }
 
-bool asks_for_http(const std::vector<std::string>& arguments) {
-  return std::any_of(arguments.begin(), arguments.end(), [](const std::string& argument) {
-    return argument == "--http" || argument.starts_with("--http=");
-  });
+std::string check_http_address(const std::string& address) {
+  return address == kNone ? std::string() : check_address(address);
 }
 
 // Without CLI11's own wording of the range, which the descriptions give.
@@ -59,11 +66,32 @@ CLI::Validator seconds_from(double least) {
   return {check, ""};
 }
 
-void declare(CLI::App& app, ServerOptions& options, std::string& data_dir, std::string& worker) {
+// What is text here and something else in ServerOptions.
+struct Texts {
+  std::string http, viewer, data_dir, worker;
+};
+
+void declare_http(CLI::App& app, ServerOptions& options, Texts& texts) {
+  app.add_option("--http", texts.http,
+                 "Serve REST and the viewer here; port 0 takes any free one, 'none' leaves it out")
+      ->capture_default_str()
+      ->check(CLI::Validator(check_http_address, ""));
+  app.add_option("--viewer", texts.viewer, "Folder of the viewer's files")->capture_default_str();
+  app.add_option("--http-timeout", options.http_timeout_s,
+                 "Seconds an HTTP client gets to send a request, or the next one, 0.1 to 86400")
+      ->capture_default_str()
+      ->check(seconds_from(0.1));
+  app.add_option("--http-connections", options.http_connections, "HTTP connections at the same time, 1 to 100000")
+      ->capture_default_str()
+      ->check(in_range(1, kMaxConnections));
+}
+
+void declare(CLI::App& app, ServerOptions& options, Texts& texts) {
   app.add_option("--grpc", options.grpc_address, "Listen here; port 0 takes any free one")
       ->capture_default_str()
       ->check(check_address);
-  app.add_option("--data-dir", data_dir, "Where jobs are kept; one server at a time")->capture_default_str();
+  declare_http(app, options, texts);
+  app.add_option("--data-dir", texts.data_dir, "Where jobs are kept; one server at a time")->capture_default_str();
   app.add_option("--slots", options.slots, "Jobs that run at the same time, 1 to 1024")
       ->capture_default_str()
       ->check(in_range(1, kMaxSlots));
@@ -81,18 +109,18 @@ void declare(CLI::App& app, ServerOptions& options, std::string& data_dir, std::
                  "Seconds that calls and streams get to end when the server stops, 0 to 86400")
       ->capture_default_str()
       ->check(seconds_from(0.0));
-  app.add_option("--worker", worker, "The program that runs a job")->capture_default_str();
+  app.add_option("--worker", texts.worker, "The program that runs a job")->capture_default_str();
   app.add_flag("--stop-jobs", options.stop_jobs, "On SIGTERM or SIGINT end running jobs too; without it they run on");
 }
 
 }  // namespace
 
 ParsedOptions parse_server_options(std::vector<std::string> arguments, const std::string& program) {
-  if (asks_for_http(arguments)) return {{}, program + ": --http is not supported yet; use --grpc\n", 2};
   ServerOptions options;
-  std::string data_dir = jobs::default_data_dir().string(), worker = worker_beside_executable().string();
-  CLI::App app("Runs knit simulations as jobs and streams their frames over gRPC.", program);
-  declare(app, options, data_dir, worker);
+  Texts texts{*options.http_address, default_viewer().string(), jobs::default_data_dir().string(),
+              (folder_of_executable() / "slipstitch-worker").string()};
+  CLI::App app("Runs knit simulations as jobs and streams their frames over gRPC and REST.", program);
+  declare(app, options, texts);
   app.set_version_flag("--version", version_text());
   std::reverse(arguments.begin(), arguments.end());  // CLI11 takes them from the back
   try {
@@ -102,9 +130,12 @@ ParsedOptions parse_server_options(std::vector<std::string> arguments, const std
     const bool good = app.exit(error, text, text) == 0;
     return {{}, text.str(), good ? 0 : 2};
   }
-  if (data_dir.empty()) return {{}, program + ": neither XDG_STATE_HOME nor HOME is set; give --data-dir\n", 2};
-  options.data_dir = std::filesystem::absolute(data_dir);
-  options.worker = std::filesystem::absolute(worker);
+  if (texts.data_dir.empty()) return {{}, program + ": neither XDG_STATE_HOME nor HOME is set; give --data-dir\n", 2};
+  options.http_address = texts.http;
+  if (texts.http == kNone) options.http_address.reset();
+  options.viewer = std::filesystem::absolute(texts.viewer);
+  options.data_dir = std::filesystem::absolute(texts.data_dir);
+  options.worker = std::filesystem::absolute(texts.worker);
   return {options, {}, 0};
 }
 

@@ -10,6 +10,10 @@ namespace slipstitch {
 
 struct ServerOptions {
   std::string grpc_address = "127.0.0.1:50651";
+  std::optional<std::string> http_address = "127.0.0.1:8651";  // empty: no REST
+  std::filesystem::path viewer;                                // folder of the viewer's files
+  double http_timeout_s = 30.0;
+  int http_connections = 512;
   std::filesystem::path data_dir;
   std::filesystem::path worker;
   int slots = 1;
@@ -28,7 +32,7 @@ struct ParsedOptions {
 };
 
 /// Arguments without the program's name, which is `program` in the help. The worker's default is slipstitch-worker
-/// beside the running executable.
+/// beside the running executable, the viewer's ../viewer from there, or ../share/slipstitch/viewer.
 ParsedOptions parse_server_options(std::vector<std::string> arguments, const std::string& program);
 
 }  // namespace slipstitch

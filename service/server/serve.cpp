@@ -10,6 +10,7 @@
 #include "grpc/grpc_server.h"
 #include "jobs/local_executor.h"
 #include "jobs/worker_environment.h"
+#include "rest/rest_server.h"
 #include "server/options.h"
 
 namespace slipstitch {
@@ -49,17 +50,37 @@ void wait_for_stop_signal() {
   }
 }
 
+std::chrono::milliseconds milliseconds_of(double seconds) {
+  return std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(seconds));
+}
+
+// Null: not asked for.
+jobs::Outcome<std::unique_ptr<rest::RestServer>> start_http(jobs::JobStore& store, const ServerOptions& options) {
+  if (!options.http_address) return std::unique_ptr<rest::RestServer>();
+  rest::RestOptions rest;
+  rest.address = *options.http_address;
+  rest.max_scene_mib = options.max_scene_mib;
+  rest.stall_timeout = milliseconds_of(options.stall_timeout_s);
+  rest.request_timeout = milliseconds_of(options.http_timeout_s);
+  rest.max_connections = options.http_connections;
+  rest.viewer = options.viewer;
+  return rest::RestServer::start(store, rest);
+}
+
 int run_server(const ServerOptions& options, const std::string& program) {
   auto store = open_store(options);
   if (!store) return report(program, store.error());
-  const auto stall_timeout =
-      std::chrono::ceil<std::chrono::milliseconds>(std::chrono::duration<double>(options.stall_timeout_s));
-  auto server = GrpcServer::start(**store, {options.grpc_address, options.max_scene_mib, {stall_timeout}});
+  auto server = GrpcServer::start(
+      **store, {options.grpc_address, options.max_scene_mib, {milliseconds_of(options.stall_timeout_s)}});
   if (!server) return report(program, server.error());
-  std::cout << "slipstitchd ready grpc=" << (*server)->address() << " http=none" << std::endl;
+  auto http = start_http(**store, options);
+  if (!http) return report(program, http.error());
+  std::cout << "slipstitchd ready grpc=" << (*server)->address() << " http=" << (*http ? (*http)->address() : "none")
+            << std::endl;
   wait_for_stop_signal();
   std::cerr << program << ": stopping" << (options.stop_jobs ? ", and the jobs with it" : "; workers run on") << "\n";
   (*server)->stop(options.stop_grace_s);
+  if (*http) (*http)->stop(options.stop_grace_s);
   if (options.stop_jobs) (*store)->stop_jobs(kJobGrace_s);
   return 0;
 }

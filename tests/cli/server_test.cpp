@@ -18,8 +18,9 @@ class CliWithServer : public ::testing::Test {
   void SetUp() override {
     write_bytes(folder_ / "swing.json", swing_scene(0.2));
     write_bytes(folder_ / "long.json", swing_scene(10000.0));
-    server_ = std::make_unique<Program>("slipstitchd", std::vector<std::string>{"--grpc", "127.0.0.1:0", "--data-dir",
-                                                                                folder_ / "data", "--stop-jobs"});
+    server_ = std::make_unique<Program>(
+        "slipstitchd", std::vector<std::string>{"--grpc", "127.0.0.1:0", "--http", "none", "--data-dir",
+                                                folder_ / "data", "--stop-jobs"});
     wait_until([&] { return server_->out().ends_with("\n") || !server_->running(); });
     const std::string ready = server_->out();
     const std::size_t place = ready.find("grpc=");
@@ -188,11 +189,14 @@ TEST_F(CliWithServer, TheVariableNamesTheServerToo) {
 }
 
 TEST_F(CliWithServer, ServeIsTheServer) {
-  const ProgramEnd taken = slipstitch({"serve", "--grpc", "127.0.0.1:0", "--data-dir", folder_ / "data"});
+  const ProgramEnd taken =
+      slipstitch({"serve", "--grpc", "127.0.0.1:0", "--http", "none", "--data-dir", folder_ / "data"});
   EXPECT_EQ(taken.exit_code, 1) << taken.err;  // the data directory has a server
-  Program second("slipstitch", {"serve", "--grpc", "127.0.0.1:0", "--data-dir", folder_ / "other"});
+  Program second("slipstitch",
+                 {"serve", "--grpc", "127.0.0.1:0", "--http", "127.0.0.1:0", "--data-dir", folder_ / "other"});
   wait_until([&] { return second.out().ends_with("\n") || !second.running(); });
   EXPECT_TRUE(second.out().starts_with("slipstitchd ready grpc=127.0.0.1:")) << second.out();
+  EXPECT_NE(second.out().find(" http=127.0.0.1:"), std::string::npos) << second.out();
   second.send(SIGTERM);
   EXPECT_EQ(second.wait().exit_code, 0);
 }

@@ -19,10 +19,11 @@ formats: CORE
 report: CORE
 run_dir: CORE scene_io formats platform
 jobs: CORE scene_io formats run_dir platform
-grpc: CORE scene_io formats run_dir platform jobs proto stubs
-rest: CORE scene_io formats run_dir platform jobs proto
+api: CORE scene_io formats run_dir platform jobs proto
+grpc: CORE scene_io formats run_dir platform jobs api proto stubs
+rest: CORE scene_io formats run_dir platform jobs api proto
 worker: CORE scene_io formats run_dir platform jobs proto
-server: CORE scene_io formats run_dir platform jobs grpc rest worker proto stubs
+server: CORE scene_io formats run_dir platform jobs api grpc rest worker proto stubs
 cli: CORE report scene_io formats run_dir platform jobs grpc server proto stubs
 TABLE
 core='math solve model collide force sim study'
@@ -30,9 +31,9 @@ core='math solve model collide force sim study'
 # Headers of others that stop somewhere: the pattern, and the folders that may use it (core does no I/O either).
 read -r -d '' foreign <<'FOREIGN' || true
 ^(grpc|grpcpp)/ grpc server cli
-^google/protobuf/ scene_io grpc rest worker server cli
-^nlohmann/ scene_io formats run_dir jobs grpc rest worker server cli
-^(fstream|iostream|filesystem|unistd\.h|fcntl\.h)$ platform scene_io formats run_dir jobs grpc rest worker server cli
+^google/protobuf/ scene_io api grpc rest worker server cli
+^nlohmann/ scene_io formats run_dir jobs api grpc rest worker server cli
+^(fstream|iostream|filesystem|unistd\.h|fcntl\.h)$ platform scene_io formats run_dir jobs api grpc rest worker server cli
 FOREIGN
 
 find core service clients -name '*.h' -o -name '*.cpp' 2>/dev/null | sort |

@@ -8,9 +8,10 @@ failed=0
 files() {  # PATTERN...; files of the repository whose names match one
   local pattern names=()
   for pattern in "$@"; do names+=(-o -name "$pattern"); done
-  find . \( -path ./.git -o -path './build*' \) -prune -o -type f \( "${names[@]:1}" \) -printf '%P\n' | sort
+  find . \( -path ./.git -o -path './build*' -o -name node_modules \) -prune -o -type f \( "${names[@]:1}" \) -printf '%P\n' | sort
 }
-sources=('*.h' '*.cpp' '*.proto' CMakeLists.txt '*.cmake' '*.sh' run)
+scripts=('*.ts' '*.mjs' '*.css')  # of the viewer
+sources=('*.h' '*.cpp' '*.proto' CMakeLists.txt '*.cmake' '*.sh' run "${scripts[@]}")
 texts=("${sources[@]}" '*.md' '*.json' '*.csv' '*.txt' '.clang-*' '.gitignore')
 
 forbid() {  # WHY REGEX PATTERN...; the scripts beside this one hold the words and are left out
@@ -23,7 +24,7 @@ forbid() {  # WHY REGEX PATTERN...; the scripts beside this one hold the words a
 
 forbid 'results must not depend on reordered arithmetic' '-ffast-math|-Ofast|-funsafe-math|-fassociative-math' \
   "${sources[@]}" CMakePresets.json
-forbid 'no test is skipped' 'GTEST_SKIP|TEST(_F|_P)?\([A-Za-z0-9_]*, *DISABLED_|\bDISABLED_[A-Z]|DISABLED (TRUE|ON)|SKIP_RETURN_CODE' \
+forbid 'no test is skipped' 'GTEST_SKIP|\b(it|test|describe)\.(skip|todo|only)\b|skip: true|TEST(_F|_P)?\([A-Za-z0-9_]*, *DISABLED_|\bDISABLED_[A-Z]|DISABLED (TRUE|ON)|SKIP_RETURN_CODE' \
   "${sources[@]}"
 forbid 'unfinished work belongs in the tracker' '\b(TODO|FIXME|XXX|HACK)\b' "${sources[@]}"
 forbid 'a path of one machine' '(^|[^A-Za-z0-9_.-])/(work|home|root|Users|mnt)/' "${texts[@]}"
@@ -41,6 +42,12 @@ while read -r file; do
   fi
   [[ ${file##*/} =~ ^[a-z0-9_]+\.(h|cpp)$ ]] || { echo "$file: a file name is snake_case"; failed=1; }
 done < <(files '*.h' '*.cpp')
+
+while read -r file; do
+  first=$(head -n 1 "$file")
+  [[ $first == '// SPDX-License-Identifier: MIT' ]] || { echo "$file:1: the first line is not the SPDX line"; failed=1; }
+  [[ ${file##*/} =~ ^[a-z0-9_]+(\.(test|config))?\.(ts|mjs)$ ]] || { echo "$file: a file name is snake_case"; failed=1; }
+done < <(files '*.ts' '*.mjs')
 
 # So every header with a source of its own is compiled alone; CMakeLists.txt here compiles the rest of the core's.
 while read -r file; do

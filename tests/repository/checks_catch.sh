@@ -9,7 +9,7 @@ failed=0
 
 clean_tree() {
   rm -rf "${tree:?}"/*
-  mkdir -p "$tree"/{core/math,core/sim,core/extra,service/{run_dir,jobs,worker,platform},clients/cli,tests/unit}
+  mkdir -p "$tree"/{core/math,core/sim,core/extra,service/{run_dir,jobs,api,rest,worker,platform},clients/cli,tests/unit}
   printf '// SPDX-License-Identifier: MIT\n#pragma once\n#include <vector>\n' >"$tree/core/math/types.h"
   printf '// SPDX-License-Identifier: MIT\n#include "math/types.h"\n#include "sim/run.h"\n' >"$tree/core/sim/run.cpp"
   printf 'project(example)\n' >"$tree/CMakeLists.txt"
@@ -42,6 +42,8 @@ layers 'sim may not include proto' core/sim/run.cpp '#include "slipstitch/v1/sce
 layers 'run_dir may not include <grpcpp/grpcpp.h>' service/run_dir/a.cpp '#include <grpcpp/grpcpp.h>'
 layers 'jobs may not include stubs' service/jobs/a.h '#include "slipstitch/v1/job.grpc.pb.h"'
 layers 'jobs may not include grpc' service/jobs/a.h '#include "grpc/status.h"'
+layers 'rest may not include grpc' service/rest/a.cpp '#include "grpc/status.h"'
+layers 'api may not include <grpcpp/grpcpp.h>' service/api/a.h '#include <grpcpp/grpcpp.h>'
 layers 'worker may not include grpc' service/worker/a.cpp '#include "grpc/status.h"'
 layers 'platform may not include sim' service/platform/a.cpp '#include "sim/run.h"'
 layers 'cli may not include worker' clients/cli/a.cpp '#include "worker/run_worker.h"'
@@ -64,6 +66,9 @@ text 'not the SPDX line' core/sim/b.h '#pragma once'
 text 'no #pragma once' core/math/b.h '// SPDX-License-Identifier: MIT'
 text 'its own header comes first' core/math/types.cpp '#include <vector>' '#include "math/types.h"'
 text 'snake_case' core/sim/RunLoop.cpp 'int x();'
+text 'snake_case' tests/unit/jobList.ts '// SPDX-License-Identifier: MIT'
+text 'not the SPDX line' tests/unit/a.mjs 'export {};'
+text 'no test is skipped' tests/unit/a.test.ts '// SPDX-License-Identifier: MIT' "it.skip('draws', () => {});"
 text '800 is the limit' core/sim/run.cpp "$(seq -f '// line %g' 900)"
 
 for check in check_layers.sh check_text.sh; do

@@ -6,6 +6,7 @@
 
 #include "raw_message.h"
 #include "service_fixture.h"
+#include "support/resident_memory.h"
 
 namespace slipstitch::test {
 namespace {
@@ -111,7 +112,8 @@ std::vector<BadInput> bad_inputs() {
       {"accuracy_not_supported_yet",
        yarn_file(R"(, "accuracy": {"tolerance_m": 0.001})"),
        {{"accuracy", "0.001", "fixed; accuracy is not supported yet"}},
-       request_with([](v1::CreateSimJobRequest&, v1::Scene& scene) { scene.mutable_accuracy()->set_tolerance_m(0.001); }),
+       request_with(
+           [](v1::CreateSimJobRequest&, v1::Scene& scene) { scene.mutable_accuracy()->set_tolerance_m(0.001); }),
        {{"spec.scene.accuracy", "0.001", "fixed; accuracy is not supported yet"}}},
       {"too_many_stitches",
        R"({"knit": {"preset": {"name": "stockinette", "courses": 30000, "wales": 30000},
@@ -203,8 +205,7 @@ void expect_violations(const grpc::Status& status, const std::vector<Fault>& fau
   }
 }
 
-// No row may change anything on disk, beside the scene file or in the server's data directory.
-class BadInputTest : public ServiceTest, public testing::WithParamInterface<BadInput> {
+class RawRequestTest : public ServiceTest {
  protected:
   void SetUp() override { start_server(); }
 
@@ -217,6 +218,9 @@ class BadInputTest : public ServiceTest, public testing::WithParamInterface<BadI
                                                                                  raw_message(request), &answer);
   }
 };
+
+// No row may change anything on disk, beside the scene file or in the server's data directory.
+class BadInputTest : public RawRequestTest, public testing::WithParamInterface<BadInput> {};
 
 TEST_P(BadInputTest, IsRefusedFromAFileByEveryCommand) {
   const BadInput& bad = GetParam();
@@ -249,6 +253,23 @@ TEST_P(BadInputTest, IsRefusedInARequest) {
   }
   EXPECT_TRUE(list_names().empty());
   EXPECT_EQ(content_of(folder_.path()), before);
+}
+
+// Each takes, or once took, much more memory than its bytes.
+TEST_F(RawRequestTest, MemoryIsBounded) {
+  const auto expect_refused = [&](const std::string& reason, const std::function<std::string()>& request) {
+    const grpc::Status refused = create_raw(request());
+    EXPECT_EQ(details_of(refused).infos.at(0).reason(), reason) << refused.error_message();
+  };
+  expect_refused("SCENE_TOO_BIG", chart_request({std::string(9'000'000, 'X'), std::string(7'000'000, 'Z')}));
+  expect_refused("SCENE_TOO_BIG", chart_request(std::vector<std::string>(5'000'000)));
+  expect_refused("SCENE_TOO_BIG", request_with([](v1::CreateSimJobRequest&, v1::Scene& scene) {
+                   for (int i = 0; i < 5'000'000; ++i) scene.add_yarns();
+                 }));
+  expect_refused("INVALID_SCENE", request_with([](v1::CreateSimJobRequest&, v1::Scene& scene) {
+                   scene.set_name(std::string(16'000'000, '\n'));
+                 }));
+  EXPECT_LT(peak_bytes(server_->pid()), 400L << 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, BadInputTest, testing::ValuesIn(bad_inputs()),

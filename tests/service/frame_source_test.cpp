@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grpc/frame_source.h"
+#include "api/frame_source.h"
 
 #include <gtest/gtest.h>
 

@@ -107,7 +107,8 @@ TEST_F(RestartTest, EveryAcknowledgedJobSurvivesKillsAtAnyTime) {
 
 TEST_F(RestartTest, RefusesASecondServerOnTheSameData) {
   start_server();
-  const Finished second = run_program({kServer, "--grpc", "127.0.0.1:0", "--data-dir", (folder_ / "data").string()});
+  const Finished second =
+      run_program({kServer, "--grpc", "127.0.0.1:0", "--http", "none", "--data-dir", (folder_ / "data").string()});
   EXPECT_EQ(second.code, 1);
   EXPECT_NE(second.err.find("pid " + std::to_string(server_->pid())), std::string::npos) << second.err;
   EXPECT_EQ(second.out, "");
@@ -115,8 +116,8 @@ TEST_F(RestartTest, RefusesASecondServerOnTheSameData) {
 
 TEST_F(RestartTest, RefusesASecondServerOnTheSamePort) {
   start_server();
-  const Finished second =
-      run_program({kServer, "--grpc", server_->address(), "--data-dir", (folder_ / "other").string()});
+  const Finished second = run_program(
+      {kServer, "--grpc", server_->address(), "--http", "none", "--data-dir", (folder_ / "other").string()});
   EXPECT_EQ(second.code, 1);
   EXPECT_NE(second.err.find(server_->address()), std::string::npos) << second.err;
   EXPECT_EQ(std::count(second.err.begin(), second.err.end(), '\n'), 1) << second.err;

@@ -79,8 +79,8 @@ ServerProcess::~ServerProcess() {
   wait();
 }
 
-std::string ServerProcess::address() const {
-  const std::string key = " grpc=";
+std::string ServerProcess::address_of(const std::string& interface) const {
+  const std::string key = " " + interface + "=";
   const std::size_t begin = ready_line_.find(key) + key.size();
   return ready_line_.substr(begin, ready_line_.find(' ', begin) - begin);
 }

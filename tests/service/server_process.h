@@ -26,12 +26,15 @@ class ServerProcess {
   ServerProcess& operator=(const ServerProcess&) = delete;
 
   const std::string& ready_line() const { return ready_line_; }
-  std::string address() const;  // of gRPC
+  std::string address() const { return address_of("grpc"); }
+  std::string http_address() const { return address_of("http"); }
   pid_t pid() const { return pid_; }
   void signal(int number) const;
   int wait();  // exit code, or minus the signal
 
  private:
+  std::string address_of(const std::string& interface) const;
+
   pid_t pid_ = -1;
   std::string ready_line_;
 };

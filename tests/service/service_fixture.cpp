@@ -87,9 +87,11 @@ void expect_error(const grpc::Status& status, grpc::StatusCode code, const std::
 void ServiceTest::start_server(const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"--grpc", "127.0.0.1:0", "--data-dir", (folder_ / "data").string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
+  const bool http = std::find(more.begin(), more.end(), "--http") != more.end();
+  if (!http) arguments.insert(arguments.end(), {"--http", "none"});
   server_ = std::make_unique<ServerProcess>(arguments);
   ASSERT_TRUE(server_->ready_line().starts_with("slipstitchd ready grpc=127.0.0.1:")) << server_->ready_line();
-  ASSERT_TRUE(server_->ready_line().ends_with(" http=none")) << server_->ready_line();
+  ASSERT_EQ(server_->ready_line().ends_with(" http=none"), !http) << server_->ready_line();
   grpc::ChannelArguments channel_arguments;
   channel_arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);
   channel_arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);

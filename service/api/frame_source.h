@@ -5,12 +5,16 @@
 #include <optional>
 #include <string>
 
+#include "jobs/error.h"
 #include "jobs/job.h"
 #include "run_dir/frame_log.h"
 #include "run_dir/run_dir.h"
 #include "slipstitch/v1/frames.pb.h"
 
 namespace slipstitch {
+
+/// What is wrong with a request besides its name; empty: nothing.
+std::optional<jobs::Error> check_range(const v1::StreamFramesRequest& request);
 
 /// Cuts a job's frame log into the messages of one StreamFrames call. Knows no gRPC.
 class FrameSource {

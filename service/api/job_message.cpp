@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "grpc/job_message.h"
+#include "api/job_message.h"
 
 #include <google/protobuf/util/time_util.h>
 
 #include <string_view>
 
-#include "grpc/status.h"
+#include "api/rpc_status.h"
 
 namespace slipstitch {
 namespace {
@@ -68,8 +68,7 @@ v1::SimJob::State message_from_state(jobs::JobState state) {
 }
 
 std::optional<jobs::JobState> state_from_message(v1::SimJob::State state) {
-  for (const auto known : {jobs::JobState::queued, jobs::JobState::running, jobs::JobState::succeeded,
-                           jobs::JobState::failed, jobs::JobState::cancelled}) {
+  for (const jobs::JobState known : jobs::kJobStates) {
     if (message_from_state(known) == state) return known;
   }
   return std::nullopt;

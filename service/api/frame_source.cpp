@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "grpc/frame_source.h"
+#include "api/frame_source.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "grpc/job_message.h"
-#include "grpc/message_limits.h"
+#include "api/job_message.h"
+#include "api/message_limits.h"
 #include "scene_io/convert.h"
 
 namespace slipstitch {
@@ -14,6 +14,11 @@ namespace {
 constexpr std::uint64_t kChunkDoubles = kChunkBytes / sizeof(double);
 
 }  // namespace
+
+std::optional<jobs::Error> check_range(const v1::StreamFramesRequest& request) {
+  if (!request.has_end_index() || request.end_index() >= request.first_index()) return std::nullopt;
+  return jobs::invalid_field("end_index", std::to_string(request.end_index()), "at least first_index");
+}
 
 FrameSource::FrameSource(const RunDir& dir, const v1::StreamFramesRequest& request)
     : log_(dir.frames()),

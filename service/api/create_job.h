@@ -7,7 +7,8 @@
 namespace slipstitch {
 
 /// Checks the spec, all problems at once, then stores the job or, with validate_only, answers with one without a name.
-jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJobRequest& request);
+/// `found`: problems of the text that the request was read from; what they may have caused is not told again.
+jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJobRequest& request, Issues found = {});
 
 /// Of a request of `bytes` that is above the limit.
 jobs::Error request_too_big(std::size_t bytes, int max_scene_mib);

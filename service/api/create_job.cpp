@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "grpc/create_job.h"
+#include "api/create_job.h"
 
 #include <google/protobuf/unknown_field_set.h>
 
@@ -16,7 +16,7 @@ namespace {
 
 void check_unknown(const google::protobuf::Message& message, const std::string& path, Issues& issues) {
   const auto& unknown = message.GetReflection()->GetUnknownFields(message);
-  for (int i = 0; i < unknown.field_count(); ++i) {
+  for (int i = 0; i < unknown.field_count() && !issues.full(); ++i) {
     issues.push_back({path, "unknown field number " + std::to_string(unknown.field(i).number()),
                       "the fields of " + message.GetTypeName()});
   }
@@ -64,15 +64,16 @@ jobs::NewJob new_job(const v1::CreateSimJobRequest& request, v1::Scene scene) {
 
 }  // namespace
 
-jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJobRequest& request) {
+jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJobRequest& request, Issues found) {
   Issues issues;
   check_spec(request, issues);
   LoadResult loaded = Issues();
   if (request.spec().has_scene()) add_scene_issues(request.spec().scene(), loaded, issues);
-  if (!issues.empty()) {  // else the store checks the other fields
-    const Issues fields = jobs::check_fields(request.request_id(), request.spec().threads());
-    issues.insert(issues.end(), fields.begin(), fields.end());
-    return jobs::error_from_issues(std::move(issues));
+  if (!issues.empty() || !found.empty()) {  // else the store checks the other fields
+    for (const Issue& field : jobs::check_fields(request.request_id(), request.spec().threads())) {
+      issues.push_back(field);
+    }
+    return jobs::error_from_issues(with_independent(std::move(found), issues));
   }
   const jobs::NewJob job = new_job(request, std::move(std::get<LoadedScene>(loaded).message));
   return request.validate_only() ? store.validate(job) : store.create(job);
