@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The calls of the service SimJobs. Every one throws ApiError.
+import { ApiError, errorFromBody } from './api_error';
+import type { Artefact, ListSimJobsResponse, SimJob } from './messages';
+
+const root = '/v1/simJobs';
+
+async function request(path: string, init: RequestInit = {}): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(path, { cache: 'no-store', ...init });
+  } catch (error) {
+    if (error instanceof DOMException && error.name === 'AbortError') throw error;
+    throw new ApiError(0, { code: 14, message: 'the server cannot be reached' });
+  }
+  if (!response.ok) throw errorFromBody(response.status, await response.text());
+  return response;
+}
+
+async function json<T>(path: string, method = 'GET', body?: string): Promise<T> {
+  const headers: Record<string, string> = body === undefined ? {} : { 'Content-Type': 'application/json' };
+  const response = await request(path, { method, headers, body });
+  return (await response.json()) as T;
+}
+
+export interface CreateOptions {
+  requestId?: string;
+  validateOnly?: boolean;
+}
+
+/// `sceneText` is the text of a scene file: it goes to the server as it is, so that the server judges its numbers.
+export function createSimJob(sceneText: string, options: CreateOptions = {}): Promise<SimJob> {
+  const rest = { request_id: options.requestId ?? '', validate_only: options.validateOnly ?? false };
+  return json(root, 'POST', `{"spec":{"scene":${sceneText},"simulate":{}},${JSON.stringify(rest).slice(1)}`);
+}
+
+export function getSimJob(id: string): Promise<SimJob> {
+  return json(`${root}/${id}`);
+}
+
+export function listSimJobs(pageToken: string, state: string): Promise<ListSimJobsResponse> {
+  const query = new URLSearchParams({ page_size: '50' });
+  if (pageToken) query.set('page_token', pageToken);
+  if (state) query.set('state', state);
+  return json(`${root}?${query}`);
+}
+
+export function cancelSimJob(id: string): Promise<SimJob> {
+  return json(`${root}/${id}:cancel`, 'POST');
+}
+
+export async function deleteSimJob(id: string): Promise<void> {
+  await request(`${root}/${id}`, { method: 'DELETE' });
+}
+
+export async function listArtefacts(id: string): Promise<Artefact[]> {
+  return (await json<{ artefacts?: Artefact[] }>(`${root}/${id}/artefacts`)).artefacts ?? [];
+}
+
+export function artefactAddress(id: string, file: string): string {
+  return `${root}/${id}/artefacts/${encodeURIComponent(file)}`;
+}
+
+export async function artefactText(id: string, file: string): Promise<string> {
+  return (await request(artefactAddress(id, file))).text();
+}
+
+export const frameFormats = ['obj', 'bcc', 'vtp', 'json'] as const;
+export type FrameFormat = (typeof frameFormats)[number];
+
+export function frameAddress(id: string, index: number, format: FrameFormat): string {
+  return `${root}/${id}/frames/${index}?format=${format}`;
+}
+
+export async function frameBytes(id: string, index: number, format: FrameFormat, signal: AbortSignal): Promise<Uint8Array> {
+  return new Uint8Array(await (await request(frameAddress(id, index, format), { signal })).arrayBuffer());
+}
+
+export interface StreamRange {
+  firstIndex: number;
+  stride: number;
+}
+
+/// A response whose body is a stream of frame records. `follow`: it stays open while the job runs.
+export function openFrameStream(id: string, range: StreamRange, follow: boolean, signal: AbortSignal): Promise<Response> {
+  const query = new URLSearchParams({
+    first_index: String(range.firstIndex),
+    stride: String(range.stride),
+    follow: String(follow),
+  });
+  return request(`${root}/${id}/frames:stream?${query}`, { signal });
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+import { ApiError } from '../api/api_error';
+import { hasEnded, jobId, type SimJob } from '../api/messages';
+import { cancelSimJob, deleteSimJob, listSimJobs } from '../api/sim_jobs';
+import { button, h, select } from '../ui/dom';
+import type { Page } from '../ui/page';
+import { askWhileSeen } from '../ui/presence';
+import { progressText, stateText } from './job_text';
+
+const refreshMs = 2000;
+const states: [string, string][] = [['', 'all'], ['QUEUED', 'queued'], ['RUNNING', 'running'], ['SUCCEEDED', 'done'],
+  ['FAILED', 'failed'], ['CANCELLED', 'cancelled']];
+
+function timeElement(time: string | undefined): HTMLElement | string {
+  return time ? h('time', { datetime: time }, new Date(time).toLocaleString()) : '–';
+}
+
+export function jobListPage(): Page {
+  const stop = new AbortController();
+  const status = h('p', { class: 'status', role: 'status' });
+  const rows = h('tbody');
+  const more = button('Older jobs', () => void load(true), { hidden: true });
+  const view = { state: '', next: '', jobs: [] as SimJob[], drawn: '' };
+
+  const attempt = async (what: Promise<unknown>): Promise<void> => {
+    try {
+      await what;
+      status.textContent = '';
+      await load(false);
+    } catch (error) {
+      status.textContent = error instanceof ApiError ? error.message : String(error);
+    }
+  };
+
+  const row = (job: SimJob): HTMLElement => {
+    const id = jobId(job);
+    const name = job.scene_name || id;
+    const action = hasEnded(job.state)
+      ? button('Delete', () => void (window.confirm(`Delete ${name} and its frames?`) && attempt(deleteSimJob(id))), { 'aria-label': `Delete ${name}` })
+      : button('Cancel', () => void attempt(cancelSimJob(id)), { 'aria-label': `Cancel ${name}`, disabled: job.cancel_requested });
+    return h('tr', {},
+      h('th', { scope: 'row' }, h('a', { href: `#/jobs/${id}` }, name), h('span', { class: 'job-id' }, id)),
+      h('td', {}, h('span', { class: `state state-${(job.state ?? '').toLowerCase()}` }, stateText(job))),
+      h('td', {}, progressText(job)), h('td', {}, timeElement(job.create_time)), h('td', { class: 'actions' }, action));
+  };
+
+  // Rows are drawn anew only when they changed, so that a focused button stays where it is.
+  const draw = (): void => {
+    const text = JSON.stringify(view.jobs);
+    if (text === view.drawn) return;
+    view.drawn = text;
+    rows.replaceChildren(...view.jobs.map(row));
+    if (view.jobs.length === 0) rows.append(h('tr', {}, h('td', { colspan: 5 }, 'No jobs here yet.')));
+  };
+
+  async function load(older: boolean): Promise<void> {
+    const answer = await listSimJobs(older ? view.next : '', view.state);
+    const jobs = answer.jobs ?? [];
+    const known = new Set(jobs.map((job) => job.name));
+    if (older || view.jobs.length <= jobs.length) view.next = answer.next_page_token ?? '';
+    view.jobs = older ? [...view.jobs, ...jobs] : view.jobs.length > 50 ? [...jobs, ...view.jobs.slice(jobs.length).filter((job) => !known.has(job.name))] : jobs;
+    more.hidden = view.next === '';
+    draw();
+  }
+
+  void askWhileSeen(async () => {
+    try {
+      await load(false);
+      if (status.textContent?.startsWith('the server cannot')) status.textContent = '';
+    } catch (error) {
+      status.textContent = error instanceof Error ? error.message : String(error);
+    }
+    return false;
+  }, () => refreshMs, stop.signal);
+
+  const filter = select('Show', states, '', (state) => {
+    Object.assign(view, { state, jobs: [], next: '', drawn: '' });
+    void attempt(Promise.resolve());
+  });
+  const table = h('table', { class: 'jobs' },
+    h('thead', {}, h('tr', {}, ...['Scene', 'State', 'Progress', 'Made', 'Action'].map((text) => h('th', { scope: 'col' }, text)))), rows);
+  const element = h('div', { class: 'page' },
+    h('div', { class: 'page-head' }, h('h1', {}, 'Jobs'), filter, h('a', { class: 'button', href: '#/new' }, 'New job')),
+    status, h('div', { class: 'table-frame' }, table), more);
+  return { title: 'Jobs', element, leave: () => stop.abort() };
+}

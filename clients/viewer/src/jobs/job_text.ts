@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+import type { JobProgress, JobState, SimJob } from '../api/messages';
+
+const words: Partial<Record<JobState, string>> = {
+  QUEUED: 'Queued', RUNNING: 'Running', SUCCEEDED: 'Done', FAILED: 'Failed', CANCELLED: 'Cancelled', PAUSED: 'Paused',
+};
+
+export function stateText(job: SimJob): string {
+  const text = words[job.state ?? 'STATE_UNSPECIFIED'] ?? 'Unknown';
+  return job.cancel_requested && job.state === 'RUNNING' ? 'Cancelling' : text;
+}
+
+/// "1 h 05 min", "3 min 20 s", "12 s", "0.4 s".
+export function spanText(seconds: number): string {
+  if (!Number.isFinite(seconds) || seconds < 0) return '–';
+  if (seconds < 10) return `${seconds.toFixed(1)} s`;
+  const whole = Math.round(seconds);
+  if (whole < 60) return `${whole} s`;
+  if (whole < 3600) return `${Math.floor(whole / 60)} min ${String(whole % 60).padStart(2, '0')} s`;
+  return `${Math.floor(whole / 3600)} h ${String(Math.floor((whole % 3600) / 60)).padStart(2, '0')} min`;
+}
+
+/// From 0 to 1, of simulated time where there is some.
+export function partDone(progress: JobProgress): number {
+  const { t = 0, duration_s: duration = 0, frames = 0, num_frames: planned = 0 } = progress;
+  if (duration > 0) return Math.min(t / duration, 1);
+  return planned > 0 ? Math.min(frames / planned, 1) : 0;
+}
+
+export function progressText(job: SimJob): string {
+  const progress = job.progress;
+  if (!progress) return job.state === 'QUEUED' ? 'waits for a free place' : job.state === 'RUNNING' ? 'starts' : '';
+  const { t = 0, duration_s: duration = 0, frames = 0, num_frames: planned = 0, eta_s: left, wall_s: wall = 0 } = progress;
+  const parts = [`${Number(t.toPrecision(3))} of ${duration} s`, `${frames} of ${planned} frames`];
+  if (job.state === 'RUNNING') parts.push(left === undefined ? 'time left not known yet' : `${spanText(left)} left`);
+  else parts.push(`took ${spanText(wall)}`);
+  return parts.join(' · ');
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+import { shortNumber } from '../scene/number_text';
+import { h } from '../ui/dom';
+import type { JobModel } from './job_model';
+import { spanText } from './job_text';
+
+interface Summary {
+  loops?: number;
+  nodes?: number;
+  dofs?: number;
+  effects?: string[];
+  steps?: number;
+  rejected_steps?: number;
+  newton_iterations?: number;
+  wall_s?: number;
+  max_stretch?: number | null;
+  linear_solver?: string;
+  threads?: number;
+}
+
+function rowsOf(summary: Summary): [string, string][] {
+  const rows: [string, string | undefined][] = [
+    ['Loops', summary.loops?.toString()],
+    ['Nodes', summary.nodes?.toString()],
+    ['Unknowns', summary.dofs?.toString()],
+    ['Steps', summary.steps === undefined ? undefined : `${summary.steps}, ${summary.rejected_steps ?? 0} rejected`],
+    ['Newton iterations', summary.newton_iterations?.toString()],
+    ['Wall time', summary.wall_s === undefined ? undefined : spanText(summary.wall_s)],
+    ['Yarn stretched to', typeof summary.max_stretch === 'number' ? `${shortNumber(100 * summary.max_stretch)} % at most` : undefined],
+    ['Effects', summary.effects?.join(', ').replaceAll('_', ' ')],
+    ['Solver', summary.linear_solver],
+    ['Threads', summary.threads?.toString()],
+  ];
+  return rows.filter((row): row is [string, string] => row[1] !== undefined);
+}
+
+/// What the run cost, once it has ended.
+export function summaryPanel(model: JobModel): HTMLElement {
+  const numbers = h('dl', { class: 'numbers' });
+  const element = h('section', { class: 'panel', 'aria-label': 'Run', hidden: true }, h('h2', {}, 'Run'), numbers);
+  model.job.subscribe((job) => {
+    if (!job?.summary_json) return;
+    element.hidden = false;
+    numbers.replaceChildren(...rowsOf(JSON.parse(job.summary_json) as Summary).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));
+  });
+  return element;
+}

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// What is wrong with a scene is shown at the field that caused it.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { openPage, shoot, smallScene, startBrowser, startServer } from './support.mjs';
+
+let server, browser, view;
+before(async () => {
+  server = await startServer();
+  browser = await startBrowser();
+  view = await openPage(browser);
+  await view.page.goto(server.address);
+});
+after(async () => {
+  await browser?.close();
+  await server?.stop();
+});
+
+const errorAt = (page, path) => page.locator(`[data-path="${path}"] > .field-error`);
+
+test('the server names a field: the error is at it, and the summary leads there', async () => {
+  const { page } = view;
+  await page.getByText('Yarn', { exact: true }).click();
+  await page.getByLabel('Radius mm').fill('-1');
+  await page.getByRole('switch', { name: 'Sliding', exact: true }).uncheck();
+  await page.getByRole('button', { name: 'Submit' }).click();
+  await errorAt(page, 'yarn.radius_m').waitFor();
+  assert.match(await errorAt(page, 'yarn.radius_m').textContent(), /is -0\.001, expected a finite number > 0/);
+  assert.equal(await page.getByLabel('Radius mm').getAttribute('aria-invalid'), 'true');
+  assert.match(await errorAt(page, 'effects.sliding_friction').textContent(), /expected effects\.sliding listed too/);
+  assert.match(await page.textContent('.error-summary h2'), /problems/);
+  assert.match(page.url(), /127\.0\.0\.1:\d+\/?(#\/new)?$/, 'no job was made');
+  await shoot(page, 'errors', { fullPage: true });
+
+  await page.locator('.error-summary a', { hasText: 'yarn.radius_m' }).click();
+  assert.equal(await page.evaluate(() => document.activeElement.id), 'field-yarn-radius_m');
+});
+
+test('an error goes when its field changes', async () => {
+  const { page } = view;
+  await page.getByLabel('Radius mm').fill('0.5');
+  await page.getByLabel('Radius mm').press('Enter');
+  assert.equal(await errorAt(page, 'yarn.radius_m').isVisible(), false);
+  assert.equal(await errorAt(page, 'effects.sliding_friction').isVisible(), true);
+});
+
+test('what is no number is said at once and never sent', async () => {
+  const { page } = view;
+  const asked = [];
+  page.on('request', (request) => request.method() === 'POST' && asked.push(request.url()));
+  await page.getByLabel('Duration s').fill('soon');
+  await page.getByLabel('Duration s').press('Enter');
+  assert.match(await errorAt(page, 'duration_s').textContent(), /is “soon”, expected a number/);
+  await page.getByRole('button', { name: 'Submit' }).click();
+  assert.deepEqual(asked, []);
+  await page.getByLabel('Duration s').fill('0.1');
+  await page.getByLabel('Duration s').press('Enter');
+});
+
+test('errors deep in lists open what hides them; those without a place are in the summary', async () => {
+  const { page, faults } = view;
+  await page.getByRole('switch', { name: 'Colliders' }).check();
+  await page.getByLabel('Radius mm').last().fill('0');
+  await page.getByLabel('Radius mm').last().press('Enter');
+  await page.locator('details:has(> summary:text("Parameters of Colliders"))').evaluate((details) => { details.open = false; });
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'effects.colliders.colliders[0].sphere.radius_m').waitFor();
+  await page.getByText('Scene as JSON').click();
+  await page.getByLabel('Scene as JSON').fill('{"knit": {"chart": {"rows": ["KK", "KK"]}}, "unknown_thing": 1}');
+  await page.getByRole('button', { name: 'Use this JSON' }).click();
+  await page.getByRole('button', { name: 'Check' }).click();
+  await page.locator('.error-summary li', { hasText: 'unknown_thing' }).waitFor();
+  assert.deepEqual(faults, []);
+});
+
+const loadFile = (page, name, text) => page.locator('input[type=file]').setInputFiles({ name, mimeType: 'application/json', buffer: Buffer.from(text) });
+
+async function useJson(page, scene) {
+  await page.getByLabel('Scene as JSON').fill(typeof scene === 'string' ? scene : JSON.stringify(scene));
+  await page.getByRole('button', { name: 'Use this JSON' }).click();
+}
+
+test('a file that is no scene is refused by name and place, beside nothing that is about another one', async () => {
+  const { page, faults } = view;
+  assert.ok(await page.locator('.error-summary').isVisible());
+  await loadFile(page, 'twice.json', '{"name": "a",\n "name": "b"}');
+  await page.locator('.error-box', { hasText: 'twice.json was not loaded: name stands there twice, the second time in line 2, column 2' }).waitFor();
+  assert.equal(await page.locator('.error-summary').isVisible(), false);
+  await shoot(page, 'not-loaded');
+  await useJson(page, '{"name": "a", "name": "b"}');
+  await page.locator('#json-error', { hasText: 'name stands there twice' }).waitFor();
+  await useJson(page, smallScene);
+  assert.equal(await page.locator('#json-error').isVisible(), false);
+  assert.equal(await page.locator('.error-box').isVisible(), false, 'the scene is another one now');
+  assert.deepEqual(faults, []);
+});
+
+test('that a scene can be run is said of this scene only', async () => {
+  const { page } = view;
+  const said = page.getByText('The scene can be run.');
+  await page.getByRole('button', { name: 'Check' }).click();
+  await said.waitFor();
+  await page.getByLabel('Duration s').fill('0.3');
+  await page.getByLabel('Duration s').press('Enter');
+  assert.equal(await said.count(), 0);
+});
+
+test('values of a wrong type are said where their fields are', async () => {
+  const { page } = view;
+  await useJson(page, { ...smallScene, yarn: 3, knit: null });
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'yarn').getByText('is 3, expected an object').waitFor();
+  await errorAt(page, 'knit').getByText('is null, expected an object').waitFor();
+  await errorAt(page, 'knit.gauge').getByText('expected either course_spacing_m').waitFor();
+  await page.locator('.error-summary a', { hasText: 'yarn is 3' }).click();
+  assert.equal(await page.evaluate(() => document.activeElement.closest('details').querySelector('h2').textContent), 'Yarn');
+  await shoot(page, 'wrong-types', { fullPage: true });
+});
+
+test('a number that must be there and is not is said before anything is sent', async () => {
+  const { page } = view;
+  await useJson(page, smallScene);
+  await page.getByLabel('Numerics').selectOption('accuracy');
+  const asked = [];
+  page.on('request', (request) => request.method() === 'POST' && asked.push(request.url()));
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'accuracy.tolerance_m').getByText('is empty, expected a number').waitFor();
+  assert.deepEqual(asked, []);
+  await page.getByLabel('Error of positions mm').fill('0.1');
+  await page.getByLabel('Error of positions mm').press('Enter');
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'accuracy').getByText('accuracy is not supported yet').waitFor();
+  await useJson(page, { ...smallScene, fixed: {}, accuracy: { tolerance_m: 1e-4 } });
+  await page.getByRole('button', { name: 'Check' }).click();
+  await page.locator('.error-summary a', { hasText: 'accuracy is a second choice' }).waitFor();
+});
+
+test('the chart says what it cannot do', async () => {
+  const { page, faults } = view;
+  await useJson(page, smallScene);
+  const problem = page.locator('#chart-size-problem');
+  const courses = page.getByLabel('Courses', { exact: true });
+  const rows = () => page.locator('canvas.chart').getAttribute('data-courses');
+  for (const [typed, said] of [['', 'Courses is empty, expected a whole number from 2 to 400.'], ['0', 'Courses is 0, expected a whole number from 2 to 400.'], ['-3', 'Courses is -3,']]) {
+    await courses.fill(typed);
+    await courses.press('Enter');
+    await courses.blur();
+    await problem.getByText(said).waitFor();
+    assert.equal(await courses.getAttribute('aria-invalid'), 'true');
+    assert.equal(await rows(), '6');
+  }
+  await page.getByLabel('Times upwards').fill('100');
+  await page.getByRole('button', { name: 'Repeat' }).click();
+  await problem.getByText('Times upwards is 100, expected a whole number from 1 to 66, as a chart has at most 400.').waitFor();
+  assert.equal(await rows(), '6');
+  await page.getByRole('button', { name: 'Paste rows' }).click();
+  await page.locator('.chart-status', { hasText: 'There is nothing to paste: copy rows first.' }).waitFor();
+  await shoot(page, 'chart-problem');
+  await courses.fill('7');
+  await courses.press('Enter');
+  assert.equal(await problem.isVisible(), false);
+  assert.equal(await rows(), '7');
+  assert.deepEqual(faults, []);
+});
