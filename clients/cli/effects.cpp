@@ -69,6 +69,12 @@ IoError make_folders(const std::filesystem::path& folder) {
   return failed ? "cannot make '" + pictures.string() + "': " + failed.message() : "";
 }
 
+void remove_empty_folders(const std::filesystem::path& folder) {
+  std::error_code kept;  // one that is not empty
+  std::filesystem::remove((folder / plot_file({})).parent_path(), kept);
+  std::filesystem::remove(folder, kept);
+}
+
 IoError write_all(const std::filesystem::path& folder, const std::vector<EffectReport>& reports,
                   const std::string& command) {
   std::vector<std::pair<std::string, std::string>> files{{"effects.csv", effect_csv(reports)},
@@ -107,6 +113,7 @@ class EffectsRun {
       if (const int failed = add(named); failed != kExitDone) code = failed;
     }
     if (options_.json) std::cout << json().dump(2) << std::endl;
+    if (!written_) remove_empty_folders(options_.out);  // or the same command is refused
     if (interrupt_.requested()) return kExitInterrupted;
     if (written_) note("Tables, plots and one page of all are in '" + options_.out + "'.");
     return code;

@@ -195,6 +195,7 @@ class Run {
       const StepReport report = sim.step(h, numerics_, hooks_.should_stop);
       summary_.newton_iterations += report.newton.iterations;
       summary_.factorizations += report.newton.factorizations;
+      summary_.cg_iterations += report.newton.cg_iterations;
       summary_.convex_hessians += report.newton.convex_hessians;
       if (report.newton.status == NewtonStatus::cancelled) return RunStatus::cancelled;
       if (hooks_.on_step) hooks_.on_step(sim, report);

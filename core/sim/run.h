@@ -65,6 +65,7 @@ struct RunSummary {
   double sim_time_s = 0.0, wall_s = 0.0;
   int frames = 0;
   long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0, factorizations = 0;
+  long cg_iterations = 0;                    // of conjugate gradients, each with one of the linear_iterations
   long convex_hessians = 0;                  // times the Hessian was indefinite and its convex part stood in for it
   std::map<std::string, double> wall_by_phase_s;
   std::map<std::string, double> energy_j;    // by term at the end; "kinetic" included

@@ -56,7 +56,8 @@ EffectSide side_of(const MeasuredRun& run) {
   side.nonzeros = run.summary.nonzeros;
   side.steps = run.summary.steps;
   side.newton_iterations = run.summary.newton_iterations;
-  side.linear_iterations = run.summary.linear_iterations;
+  side.factorizations = run.summary.factorizations;
+  side.cg_iterations = run.summary.cg_iterations;
   side.stored_j = run.stored_j;
   side.tension_n = run.tension_n;
   side.reaction_n = run.reaction_n;

@@ -13,7 +13,7 @@ namespace slipstitch {
 struct EffectSide {
   double wall_s = 0.0;  // median of the rounds
   double memory_bytes = 0.0;
-  long dofs = 0, nonzeros = 0, steps = 0, newton_iterations = 0, linear_iterations = 0;
+  long dofs = 0, nonzeros = 0, steps = 0, newton_iterations = 0, factorizations = 0, cg_iterations = 0;
   double stored_j = 0.0, tension_n = 0.0, reaction_n = 0.0;  // as in MeasuredRun
 };
 

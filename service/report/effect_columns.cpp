@@ -37,8 +37,8 @@ constexpr std::array kColumns{
     EffectColumn{"nonzeros x", "entries of the Hessian's lower triangle, with / without",
                  side_ratio<&EffectSide::nonzeros>},
     EffectColumn{"Newton x", "Newton iterations, with / without", side_ratio<&EffectSide::newton_iterations>},
-    EffectColumn{"linear x", "linear solves and conjugate-gradient iterations, with / without",
-                 side_ratio<&EffectSide::linear_iterations>},
+    EffectColumn{"factors x", "factorisations of the Hessian, with / without", side_ratio<&EffectSide::factorizations>},
+    EffectColumn{"CG x", "iterations of conjugate gradients, with / without", side_ratio<&EffectSide::cg_iterations>},
 };
 
 }  // namespace

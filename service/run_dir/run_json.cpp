@@ -225,6 +225,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("rejected_steps", summary.rejected_steps);
   visit("newton_iterations", summary.newton_iterations);
   visit("linear_iterations", summary.linear_iterations);
+  visit("cg_iterations", summary.cg_iterations);
   visit("factorizations", summary.factorizations);
   visit("convex_hessians", summary.convex_hessians);
   visit("wall_by_phase_s", summary.wall_by_phase_s);

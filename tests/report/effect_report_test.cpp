@@ -20,7 +20,7 @@ EffectStudy sample_study() {
   study.duration_s = 0.4;
   study.rounds = 3;
   study.repeatable = true;
-  study.itself = {2.0, 1e6, 300, 4000, 96, 321, 400, 2e-4, 0.5, 0.25};
+  study.itself = {2.0, 1e6, 300, 4000, 96, 321, 330, 400, 2e-4, 0.5, 0.25};
   EffectPrice wrapping;
   wrapping.effect = "wrapping";
   wrapping.listed = true;
@@ -28,7 +28,7 @@ EffectStudy sample_study() {
   wrapping.rms_displacement_m = 1e-3;
   wrapping.time_ratio = 1.25;
   wrapping.with = study.itself;
-  wrapping.without = {1.6, 5e5, 300, 2000, 96, 214, 300, 1e-4, 0.25, 0.125};
+  wrapping.without = {1.6, 5e5, 300, 2000, 96, 214, 220, 300, 1e-4, 0.25, 0.125};
   EffectPrice sliding = wrapping;
   sliding.effect = "sliding";
   sliding.together = {"contact_length", "sliding_friction"};
@@ -87,7 +87,11 @@ TEST(EffectReport, CsvHasBothSidesOfEveryComparison) {
   EXPECT_EQ(cell(csv, 3, "listed"), "0");
   EXPECT_EQ(cell(csv, 2, "together"), "contact_length sliding_friction");
   EXPECT_EQ(cell(csv, 1, "max_displacement_m"), "0.00625");
+  EXPECT_EQ(cell(csv, 1, "max_displacement_radii"), "12.5");
+  EXPECT_EQ(cell(csv, 1, "rms_displacement_radii"), "2");
   EXPECT_EQ(cell(csv, 1, "with_newton_iterations"), "321");
+  EXPECT_EQ(cell(csv, 1, "with_factorizations"), "330");
+  EXPECT_EQ(cell(csv, 1, "without_cg_iterations"), "300");
   EXPECT_EQ(cell(csv, 1, "without_newton_iterations"), "214");
   EXPECT_EQ(cell(csv, 4, "time_ratio"), "");
   EXPECT_EQ(cell(csv, 1, "time_ratio"), "1.25");
@@ -99,7 +103,7 @@ TEST(EffectReport, MarkdownHasARowAnEffectAndSaysWhatIsNotCompared) {
   EXPECT_NE(text.find("](effects/stem-growing.svg)"), std::string::npos);
   EXPECT_EQ(effect_markdown(sample_reports(""), "make it").find("growing.svg"), std::string::npos);
   EXPECT_NE(
-      text.find("| wrapping | on | 12.5 | 2.00 | 0.250 | 0.125 | 100 | 1.25 | 2.00 | 1.00 | 2.00 | 1.50 | 1.33 |"),
+      text.find("| wrapping | on | 12.5 | 2.00 | 0.250 | 0.125 | 100 | 1.25 | 2.00 | 1.00 | 2.00 | 1.50 | 1.50 | 1.33 |"),
       std::string::npos)
       << text;
   EXPECT_NE(text.find("| sliding (and contact_length, sliding_friction) | on |"), std::string::npos);

@@ -29,6 +29,7 @@ RunSummary full_summary() {
   summary.newton_iterations = 7;
   summary.linear_iterations = 8;
   summary.factorizations = 9;
+  summary.cg_iterations = 7;
   summary.convex_hessians = 10;
   summary.wall_by_phase_s = {{"assemble", 0.25}};
   summary.energy_j = {{"kinetic", 1e-9}, {"stretch", 2e-9}};
@@ -71,6 +72,7 @@ TEST(RunJson, SummaryHasThePromisedKeys) {
                                        "rejected_steps",
                                        "newton_iterations",
                                        "linear_iterations",
+                                       "cg_iterations",
                                        "factorizations",
                                        "wall_by_phase_s",
                                        "energy_j",
