@@ -120,6 +120,7 @@ Progress progress_from(const v1::JobProgress& message) {
   progress.newton_iterations = static_cast<long>(message.newton_iterations());
   progress.step_s = message.current_step_s();
   progress.residual = message.residual();
+  if (message.has_error_estimate_m()) progress.error_estimate_m = message.error_estimate_m();
   progress.wall_s = message.wall_s();
   return progress;
 }

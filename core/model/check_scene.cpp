@@ -37,7 +37,10 @@ void check_time(const Scene& scene, const SceneLimits& limits, Checker& check) {
 
 void check_numerics(const Scene& scene, const SceneLimits& limits, Checker& check) {
   if (const auto* accuracy = std::get_if<AccuracyNumerics>(&scene.numerics)) {
-    check.fail("accuracy", number_text(accuracy->tolerance_m), "fixed; accuracy is not supported yet");
+    const double least = AccuracyNumerics::kLeastTolerance_m;
+    if (!(std::isfinite(accuracy->tolerance_m) && accuracy->tolerance_m >= least))
+      check.fail("accuracy.tolerance_m", number_text(accuracy->tolerance_m),
+                 "a finite number >= " + number_text(least));
     return;
   }
   const auto& fixed = std::get<FixedNumerics>(scene.numerics);

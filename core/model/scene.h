@@ -109,9 +109,10 @@ struct FixedNumerics {
   Integrator integrator = Integrator::implicit_euler;  // of dynamic scenes; static ones have none
 };
 
-/// Not supported yet; the message exists so that schema and files do not change later.
+/// Numerics chosen by the run itself.
 struct AccuracyNumerics {
-  double tolerance_m = 0.0;
+  static constexpr double kLeastTolerance_m = 1e-9;  // round-off and Newton's tolerances are what is left below
+  double tolerance_m = 0.0;  // largest error of a node's position at the times of frames, >= kLeastTolerance_m
 };
 
 struct Scene {

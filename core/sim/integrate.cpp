@@ -14,14 +14,6 @@ namespace {
 const double kSdirk = 1.0 - std::sqrt(0.5);
 constexpr double kKeepArcAhead = 0.5;
 
-void add_counts(const NewtonReport& first, NewtonReport& report) {
-  report.iterations += first.iterations;
-  report.factorizations += first.factorizations;
-  report.convex_hessians += first.convex_hessians;
-  report.cg_iterations += first.cg_iterations;
-  report.backtracks += first.backtracks;
-}
-
 /// v a time `ahead` later, as its last change has it.
 VecX velocity_ahead(const State& begin, double ahead) {
   if (begin.h_before == 0.0) return begin.v;

@@ -10,10 +10,10 @@
 #include "model/check_values.h"
 #include "model/effect_list.h"
 #include "sim/describe_place.h"
-#include "sim/longest_step.h"
 #include "sim/monitor.h"
 #include "sim/prepare.h"
 #include "sim/simulation.h"
+#include "sim/step_control.h"
 
 namespace slipstitch {
 namespace {
@@ -42,8 +42,8 @@ std::string fault_text(const StepReport& report) {
 
 class Run {
  public:
-  Run(const Scene& scene, const FixedNumerics& numerics, int threads, const RunHooks& hooks)
-      : scene_(scene), numerics_(numerics), hooks_(hooks), start_(std::chrono::steady_clock::now()) {
+  Run(const Scene& scene, int threads, const RunHooks& hooks)
+      : scene_(scene), hooks_(hooks), start_(std::chrono::steady_clock::now()) {
     summary_.scene = scene.name;
     summary_.threads = threads;
   }
@@ -53,11 +53,12 @@ class Run {
     if (prepared.cancelled) return finish(RunStatus::cancelled, "");
     if (prepared.failure) return finish(RunStatus::failed, *prepared.failure);
     if (hooks_.on_model) hooks_.on_model(prepared.model);
-    Simulation sim(std::move(prepared.model), hooks_.make_solver ? hooks_.make_solver() : make_cholmod_solver());
+    Simulation sim(std::move(prepared.model), new_solver());
     if (hooks_.on_start) hooks_.on_start(sim);
     Monitor monitor(sim);
     HandleForces forces(sim, scene_.handles.size());
     describe(sim);
+    control_ = make_step_control(scene_, sim, new_solver());
     begin(sim);
     const RunStatus status = march(sim, monitor, forces);
     monitor.report(sim, summary_);
@@ -67,13 +68,33 @@ class Run {
     summary_.effect_cost = sim.effect_costs();
     summary_.energy_j = sim.energies();
     summary_.wall_by_phase_s = sim.wall_by_phase_s();
-    summary_.linear_iterations = sim.linear_solves();
+    if (const Simulation* companion = control_->companion())
+      for (const auto& [phase, seconds] : companion->wall_by_phase_s()) summary_.wall_by_phase_s[phase] += seconds;
+    summary_.linear_iterations = linear_solves(sim);
+    if (const auto error = control_->error()) {
+      summary_.error_estimate_m = error->max_position_m;
+      summary_.predictable_until_s = error->lost_at_s;
+    }
     summary_.state_hash = state_hash(sim.state().q);
     summary_.sim_time_s = sim.state().t;
     return finish(status, summary_.message);
   }
 
  private:
+  std::unique_ptr<LinearSolver> new_solver() const {
+    return hooks_.make_solver ? hooks_.make_solver() : make_cholmod_solver();
+  }
+
+  long linear_solves(const Simulation& sim) const {
+    const Simulation* companion = control_->companion();
+    return sim.linear_solves() + (companion != nullptr ? companion->linear_solves() : 0);
+  }
+
+  std::optional<double> error_now() const {
+    const auto error = control_->error();
+    return error ? std::optional(error->position_m) : std::nullopt;
+  }
+
   double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
   RunSummary finish(RunStatus status, const std::string& message) {
@@ -119,7 +140,8 @@ class Run {
     report.steps = summary_.steps;
     report.rejected_steps = summary_.rejected_steps;
     report.newton_iterations = summary_.newton_iterations;
-    report.linear_iterations = sim.linear_solves();
+    report.linear_iterations = linear_solves(sim);
+    report.error_estimate_m = error_now();
     if (summary_.steps > 0) {
       report.step_s = last_step_;
       report.residual = last_residual_;
@@ -139,6 +161,7 @@ class Run {
     p.newton_iterations = summary_.newton_iterations;
     p.step_s = h;
     p.residual = residual;
+    p.error_estimate_m = error_now();
     p.wall_s = wall();
     hooks_.on_progress(p);
   }
@@ -166,13 +189,13 @@ class Run {
         return status;
       }
       emit(sim);
-      progress(sim, step_, last_residual_);
+      progress(sim, control_->wanted_step(), last_residual_);
     }
     return RunStatus::succeeded;
   }
 
   std::string why_not(const Simulation& sim, const StepReport& report) const {
-    std::string why = "no step above " + number_text(numerics_.smallest_step_s) +
+    std::string why = "no step above " + number_text(control_->smallest_step()) +
                       " s converges at t = " + short_time(sim.state().t) + " s: " + fault_text(report);
     if (report.worst_coord < 0) return why;
     if (report.fault == StepFault::none && report.newton.status == NewtonStatus::not_finite)
@@ -182,55 +205,50 @@ class Run {
     return report.worst_term.empty() ? why : why + ", where the largest force is that of " + report.worst_term;
   }
 
-  /// Equal steps of at most the asked size up to time `end`; a step that does not converge is halved, and the size
-  /// grows back by one doubling an accepted step.
+  void count(const NewtonReport& newton) {
+    summary_.newton_iterations += newton.iterations;
+    summary_.factorizations += newton.factorizations;
+    summary_.cg_iterations += newton.cg_iterations;
+    summary_.convex_hessians += newton.convex_hessians;
+  }
+
   RunStatus advance_to(Simulation& sim, Monitor& monitor, HandleForces& forces, double end) {
-    const double frame = 1.0 / scene_.frames_per_s;
-    const double largest = frame / least_steps_per_frame(scene_.frames_per_s, numerics_.time_step_s);
-    if (step_ == 0.0) step_ = largest;
-    while (end - sim.state().t > 1e-9 * frame) {
-      const double remaining = end - sim.state().t;
-      const double wanted = longest_step(sim, std::min({step_, largest, remaining}));
-      const double h = remaining / std::ceil(remaining / wanted - 1e-6);
-      const StepReport report = sim.step(h, numerics_, hooks_.should_stop);
-      summary_.newton_iterations += report.newton.iterations;
-      summary_.factorizations += report.newton.factorizations;
-      summary_.cg_iterations += report.newton.cg_iterations;
-      summary_.convex_hessians += report.newton.convex_hessians;
+    while (end - sim.state().t > 1e-9 / scene_.frames_per_s) {
+      const Attempt attempt = control_->attempt(sim, end, hooks_.should_stop);
+      const StepReport& report = attempt.report;
+      count(report.newton);
       if (report.newton.status == NewtonStatus::cancelled) return RunStatus::cancelled;
       if (hooks_.on_step) hooks_.on_step(sim, report);
-      if (!report.accepted) {
+      if (attempt.steps == 0) {
         ++summary_.rejected_steps;
-        step_ = 0.5 * h;
-        if (step_ >= numerics_.smallest_step_s) continue;
+        if (control_->wanted_step() >= control_->smallest_step()) continue;
         summary_.message = why_not(sim, report);
         return RunStatus::failed;
       }
-      ++summary_.steps;
+      summary_.steps += attempt.steps;
       last_residual_ = report.residual;
-      last_step_ = h;
-      step_ = std::min(largest, 2.0 * step_);
+      last_step_ = attempt.h;
       measure(sim, forces);
       trace_bodies(sim);
       if (const auto stop = monitor.observe(sim, report.residual)) {
         summary_.message = *stop;
         return RunStatus::failed;
       }
-      progress(sim, h, report.residual);
+      progress(sim, attempt.h, report.residual);
       if (hooks_.should_stop && hooks_.should_stop()) return RunStatus::cancelled;
     }
     return RunStatus::succeeded;
   }
 
   const Scene& scene_;
-  const FixedNumerics& numerics_;
   const RunHooks& hooks_;
   std::chrono::steady_clock::time_point start_;
   RunSummary summary_;
   int num_frames_ = 0;
-  double step_ = 0.0, last_residual_ = 0.0;  // step: size asked of the next step [s]
-  double last_step_ = 0.0;                   // accepted [s]
-  double last_emitted_ = 0.0;                // time of the last frame [s]
+  std::unique_ptr<StepControl> control_;
+  double last_residual_ = 0.0;
+  double last_step_ = 0.0;     // accepted [s]
+  double last_emitted_ = 0.0;  // time of the last frame [s]
 };
 
 }  // namespace
@@ -252,15 +270,13 @@ long least_steps(double duration_s, double frames_per_s, double time_step_s) {
 }
 
 RunSummary run(const Scene& scene, int threads, const RunHooks& hooks) {
-  const auto* numerics = std::get_if<FixedNumerics>(&scene.numerics);
-  if (numerics == nullptr || scene.effects.automatic) {
+  if (scene.effects.automatic) {
     RunSummary summary;
     summary.scene = scene.name;
-    summary.message = numerics == nullptr ? "accuracy numerics are not supported yet"
-                                          : "effects.auto stands, whose choice must be made first";
+    summary.message = "effects.auto stands, whose choice must be made first";
     return summary;
   }
-  return Run(scene, *numerics, threads, hooks).go();
+  return Run(scene, threads, hooks).go();
 }
 
 }  // namespace slipstitch

@@ -31,6 +31,7 @@ struct Progress {
   long steps = 0, newton_iterations = 0;
   double step_s = 0.0;               // current step
   double residual = 0.0;             // of the last accepted step; m/s, or N when quasi-static
+  std::optional<double> error_estimate_m;
   double wall_s = 0.0;
 };
 
@@ -71,7 +72,8 @@ struct RunSummary {
   std::map<std::string, double> energy_j;    // by term at the end; "kinetic" included
   double residual = std::numeric_limits<double>::quiet_NaN();  // largest over the accepted steps; NaN: none
   std::string residual_unit;                 // "m/s" or "N"
-  std::optional<double> error_estimate_m;
+  std::optional<double> error_estimate_m;     // of node positions, largest of all frames
+  std::optional<double> predictable_until_s;  // from where on that was beyond the tolerance; absent: nowhere
   std::optional<double> min_arc_gap_ratio;   // smallest du / rest du seen
   std::optional<double> max_stretch;         // largest |dx|/(length factor * du) seen
   std::optional<double> max_slid_m, mean_slid_m;  // |arc length - start| over sliding visits at the end

@@ -156,9 +156,7 @@ StepReport Simulation::solve(const StepContext& step, const FixedNumerics& numer
     y = unmoved;
     const NewtonReport first = report.newton;
     report.newton = newton(objective, solver, options, y);
-    report.newton.iterations += first.iterations;
-    report.newton.factorizations += first.factorizations;
-    report.newton.convex_hessians += first.convex_hessians;
+    add_counts(first, report.newton);
   }
   report.residual = quasi_static() ? report.newton.max_gradient : report.newton.max_step / step.h;
   report.accepted = report.newton.status == NewtonStatus::converged ||

@@ -44,6 +44,14 @@ std::string_view to_string(NewtonStatus status) {
   return "unknown";
 }
 
+void add_counts(const NewtonReport& first, NewtonReport& report) {
+  report.iterations += first.iterations;
+  report.factorizations += first.factorizations;
+  report.convex_hessians += first.convex_hessians;
+  report.cg_iterations += first.cg_iterations;
+  report.backtracks += first.backtracks;
+}
+
 NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOptions& options, VecX& x) {
   NewtonReport report;
   NewtonPoint point;

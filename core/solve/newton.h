@@ -32,6 +32,9 @@ struct NewtonReport {
 
 std::string_view to_string(NewtonStatus status);
 
+/// Counts of an earlier solve, into the report of one that they belong to.
+void add_counts(const NewtonReport& first, NewtonReport& report);
+
 /// Minimises from x (changed in place) by Newton's method with an Armijo line search [Nocedal and Wright 2006, 3.1].
 /// The first Hessian that Cholesky accepts gives the direction: with the stresses predicted by the step before, which
 /// saves yarn that turns from locking in the tension of its own overshoot [Magisano, Leonetti and Garcea 2017], then the

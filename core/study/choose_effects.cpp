@@ -207,8 +207,7 @@ ChosenScene choose_effects(const Scene& scene, int threads, const std::function<
 }
 
 RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
-  if (!scene.effects.automatic || std::holds_alternative<AccuracyNumerics>(scene.numerics))
-    return run(scene, threads, hooks);
+  if (!scene.effects.automatic) return run(scene, threads, hooks);
   ChosenScene chosen = choose_effects(scene, threads, hooks.should_stop);
   RunSummary summary;
   if (chosen.cancelled) {

@@ -245,7 +245,7 @@ Reach reach_at_twice_its_length(Simulation& sim, const RunSpan& span) {
 
 RunSpan span_of(const Scene& scene) {
   const auto* fixed = std::get_if<FixedNumerics>(&scene.numerics);
-  return {scene.duration_s, (fixed != nullptr ? *fixed : FixedNumerics{}).time_step_s};
+  return {scene.duration_s, fixed != nullptr ? fixed->time_step_s : 1.0 / scene.frames_per_s};
 }
 
 namespace {

@@ -28,6 +28,7 @@ void set_progress(const ProgressInfo& info, v1::JobProgress& message) {
   message.set_residual(progress.residual);
   message.set_wall_s(progress.wall_s);
   if (info.eta_s) message.set_eta_s(*info.eta_s);
+  if (progress.error_estimate_m) message.set_error_estimate_m(*progress.error_estimate_m);
 }
 
 }  // namespace

@@ -17,8 +17,9 @@ constexpr std::array kNotes{
         "inertia",
         "The mass of the yarn, spread along it and carried by it as it slides. You need it for everything that swings, "
         "falls or is hit. It costs little itself, a 14-coordinate block a segment, but a moving scene takes as many "
-        "steps as its motion asks for. Without it every step is an equilibrium, with the damping and friction of that step: "
-        "right for relaxed shapes and slow pulls, wrong for anything whose speed matters."},
+        "steps as its motion asks for. Without it every step is a static equilibrium: right for relaxed shapes and "
+        "slow "
+        "pulls, wrong for anything whose speed matters."},
     Note{"gravity",
          "The weight of the yarn. You need it wherever the fabric hangs, falls or lies. It costs a linear energy a "
          "segment, which is next to nothing. Without it nothing drapes."},
@@ -68,8 +69,8 @@ constexpr std::array kNotes{
         "damping",
         "Viscous loss in stretch, bending and wrapping rates, and in sliding; rigid motion is not damped. You need it "
         "to come to rest in a natural time. It costs one more evaluation for each kind that has a coefficient. Without "
-        "it only friction, air and the time steps take energy, and a swatch swings for long; in a static scene it "
-        "holds back what scripts move, as in any other."},
+        "it only friction, air and the time steps take energy, and a swatch swings for long; in a static scene it only "
+        "steadies the way to rest."},
     Note{"colliders",
          "Planes, spheres, capsules, boxes and closed meshes that yarn touches but does not enter, fixed, moving or, "
          "for "

@@ -195,6 +195,7 @@ void fields(auto& visit, auto& info) requires std::is_same_v<std::remove_cvref_t
   visit("newton_iterations", progress.newton_iterations);
   visit("step_s", progress.step_s);
   visit("residual", progress.residual);
+  visit("error_estimate_m", progress.error_estimate_m);
   visit("wall_s", progress.wall_s);
   visit("eta_s", info.eta_s);
   visit("update_time", info.update_time);
@@ -233,6 +234,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("residual", summary.residual);
   visit("residual_unit", summary.residual_unit);
   visit("error_estimate_m", summary.error_estimate_m);
+  visit("predictable_until_s", summary.predictable_until_s);
   visit("min_arc_gap_ratio", summary.min_arc_gap_ratio);
   visit("max_stretch", summary.max_stretch);
   visit("max_slid_m", summary.max_slid_m);

@@ -276,7 +276,8 @@ const std::vector<Bad>& bad_scenes() {
       {"duration_s", [](Scene& s) { s.duration_s = -1.0; }},
       {"frames_per_s", [](Scene& s) { s.frames_per_s = 0.0; }},
       {"frames_per_s", [](Scene& s) { s.frames_per_s = 1e9; }, true},
-      {"accuracy", [](Scene& s) { s.numerics = AccuracyNumerics{1e-4}; }},
+      {"accuracy.tolerance_m", [](Scene& s) { s.numerics = AccuracyNumerics{0.0}; }},
+      {"accuracy.tolerance_m", [](Scene& s) { s.numerics = AccuracyNumerics{kNan}; }},
       {"fixed.time_step_s",
        [](Scene& s) {
          s.numerics = FixedNumerics{0.0, 1e-4, 1e-9, 60, 1e-7};

@@ -36,6 +36,7 @@ RunSummary full_summary() {
   summary.residual = 1e-5;
   summary.residual_unit = "m/s";
   summary.error_estimate_m = 0.0;
+  summary.predictable_until_s = 0.25;
   summary.min_arc_gap_ratio = 0.5;
   summary.max_stretch = 1.01;
   summary.max_slid_m = 1e-4;
@@ -72,7 +73,6 @@ TEST(RunJson, SummaryHasThePromisedKeys) {
                                        "rejected_steps",
                                        "newton_iterations",
                                        "linear_iterations",
-                                       "cg_iterations",
                                        "factorizations",
                                        "wall_by_phase_s",
                                        "energy_j",
@@ -91,7 +91,7 @@ TEST(RunJson, SummaryHasThePromisedKeys) {
       "message",     "frames",           "convex_hessians",           "residual_unit",      "max_slid_m",
       "mean_slid_m", "faded_wrap_share", "faded_wrap_share_interior", "wrap_ridge_entries", "wrap_fade_entries", "handles",
       "bodies",      "effect_cost", "effect_choice",
-      "nonzeros",    "self_collision_start_overlaps"};
+      "nonzeros",    "self_collision_start_overlaps", "cg_iterations", "predictable_until_s"};
   EXPECT_EQ(keys.size(), promised.size() + extra.size());
   for (const std::string& key : extra) EXPECT_TRUE(keys.contains(key)) << key;
 }

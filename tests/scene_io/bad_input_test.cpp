@@ -101,7 +101,7 @@ std::vector<BadInput> bad_inputs() {
       {"negative_radius", good_scene(R"(, "yarn": {"radius_m": -0.001})"), "yarn.radius_m", "is -0.001, expected", 6,
        52},
       {"negative_step", good_scene(R"(, "fixed": {"time_step_s": -1})"), "fixed.time_step_s", "is -1, expected", 6, 56},
-      {"accuracy", good_scene(R"(, "accuracy": {"tolerance_m": 1e-4})"), "accuracy", "not supported yet", 6, 43},
+      {"accuracy", good_scene(R"(, "accuracy": {"tolerance_m": 0})"), "accuracy.tolerance_m", "is 0, expected", 6, 59},
       {"needs_sliding",
        good_scene(R"(, "name": "x")").replace(good_scene().find("\"stretch\""), 9, "\"sliding_friction\""),
        "effects.sliding_friction", "sliding", 6, 35},

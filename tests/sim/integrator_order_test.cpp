@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How fast the error of every integrator falls with the step, where motion is smooth: a yarn that swings, slides over
-// another one, is damped in every way and blown at, one of its ends on the move.
+// How fast the error of every integrator falls with the step, where motion is smooth.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -12,20 +11,6 @@ namespace slipstitch::testing {
 namespace {
 
 constexpr double kEnd_s = 0.04;
-
-Scene smooth() {
-  Scene scene = crossed_yarns();
-  scene.yarn = {.radius_m = 1e-3, .linear_density_kg_per_m = 1e-2, .stretch_n = 2.0, .bending_nm2 = 1e-5};
-  scene.handles = {held(0, 0), held(0, -1), held(1, 0), held(1, -1)};
-  scene.handles[1].velocity_m_per_s = Vec3(0.2, 0.1, 0.3);
-  scene.initial_velocities = {{AllNodes{}, {0.1, -0.2, 0.2}}};
-  Effects& on = scene.effects;
-  on.inertia->sliding_mass_fraction = 0.5;
-  on.damping = DampingEffect{.stretch_ns = 1e-3, .bending_nm2s = 1e-7, .sliding_ns_per_m = 0.05};
-  on.air_drag.emplace();
-  on.wind = WindEffect{{0.5, 0.0, 1.0}, {0.0, 0.5, 0.5}, 0.05};
-  return scene;
-}
 
 VecX end_of(const Scene& scene, Integrator integrator, int steps) {
   FixedNumerics numerics;
@@ -50,7 +35,7 @@ struct Method {
 class Order : public ::testing::TestWithParam<Method> {};
 
 TEST_P(Order, ErrorsFallWithThePowerOfTheStep) {
-  const Scene scene = smooth();
+  const Scene scene = smooth_motion();
   const VecX exact = end_of(scene, Integrator::sdirk2, 8192);
   std::array<double, 4> error{};
   for (std::size_t k = 0; k < error.size(); ++k)

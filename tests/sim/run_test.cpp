@@ -143,14 +143,6 @@ TEST(Run, FailsWithAReasonWhenNoStepConverges) {
   EXPECT_NE(summary.message.find("too many Newton iterations"), std::string::npos) << summary.message;
 }
 
-TEST(Run, RefusesAccuracyNumericsForNow) {
-  Scene scene = short_run();
-  scene.numerics = AccuracyNumerics{1e-4};
-  const RunSummary summary = run(scene, 1, {});
-  EXPECT_EQ(summary.status, RunStatus::failed);
-  EXPECT_EQ(summary.message, "accuracy numerics are not supported yet");
-}
-
 TEST(Run, MeasuresSlidingAndReportsNewtonsWhenQuasiStatic) {
   Scene scene = crossed_yarns();
   scene.effects.inertia.reset();

@@ -36,6 +36,21 @@ inline Scene crossed_yarns() {
   return scene;
 }
 
+/// A yarn that swings, slides over another one, is damped in every way and blown at, one of its ends on the move.
+inline Scene smooth_motion() {
+  Scene scene = crossed_yarns();
+  scene.yarn = {.radius_m = 1e-3, .linear_density_kg_per_m = 1e-2, .stretch_n = 2.0, .bending_nm2 = 1e-5};
+  scene.handles = {held(0, 0), held(0, -1), held(1, 0), held(1, -1)};
+  scene.handles[1].velocity_m_per_s = Vec3(0.2, 0.1, 0.3);
+  scene.initial_velocities = {{AllNodes{}, {0.1, -0.2, 0.2}}};
+  Effects& on = scene.effects;
+  on.inertia->sliding_mass_fraction = 0.5;
+  on.damping = DampingEffect{.stretch_ns = 1e-3, .bending_nm2s = 1e-7, .sliding_ns_per_m = 0.05};
+  on.air_drag.emplace();
+  on.wind = WindEffect{{0.5, 0.0, 1.0}, {0.0, 0.5, 0.5}, 0.05};
+  return scene;
+}
+
 /// A free swatch with every effect of a knit but gravity.
 inline Scene free_swatch(int courses, int wales) {
   Scene scene = test::knit_scene("stockinette", courses, wales);

@@ -129,7 +129,11 @@ test('a number that must be there and is not is said before anything is sent', a
   await page.getByLabel('Error of positions mm').fill('0.1');
   await page.getByLabel('Error of positions mm').press('Enter');
   await page.getByRole('button', { name: 'Check' }).click();
-  await errorAt(page, 'accuracy').getByText('accuracy is not supported yet').waitFor();
+  await page.getByText('The scene can be run.').waitFor();
+  await page.getByLabel('Error of positions mm').fill('0');
+  await page.getByLabel('Error of positions mm').press('Enter');
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'accuracy.tolerance_m').getByText('is 0, expected a finite number').waitFor();
   await useJson(page, { ...smallScene, fixed: {}, accuracy: { tolerance_m: 1e-4 } });
   await page.getByRole('button', { name: 'Check' }).click();
   await page.locator('.error-summary a', { hasText: 'accuracy is a second choice' }).waitFor();

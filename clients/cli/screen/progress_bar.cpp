@@ -50,12 +50,13 @@ std::string progress_line(const Progress& progress, std::optional<double> eta_s,
   const double share = share_done(progress);
   std::string line = bar(share) + " " + percent(share);
   const std::string eta = eta_s ? "  ETA " + clock_text(*eta_s) : "";
-  const std::vector<std::string> parts{
+  std::vector<std::string> parts{
       "  " + time_of(progress) + " s",
       "  step " + thousands(progress.steps),
       "  Newton " + thousands(progress.newton_iterations),
       "  res " + short_number(progress.residual, 2),
   };
+  if (progress.error_estimate_m) parts.insert(parts.begin() + 1, "  error ~" + metres_text(*progress.error_estimate_m));
   const auto room = static_cast<std::size_t>(std::max(columns - 1, 1));
   for (const std::string& part : parts) {
     if (line.size() + part.size() + eta.size() > room) break;

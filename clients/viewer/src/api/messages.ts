@@ -14,6 +14,7 @@ export interface JobProgress {
   residual?: number;
   wall_s?: number;
   eta_s?: number;
+  error_estimate_m?: number;
 }
 
 export interface SimJob {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { JobProgress, JobState, SimJob } from '../api/messages';
+import { shortNumber } from '../scene/number_text';
 
 const words: Partial<Record<JobState, string>> = {
   QUEUED: 'Queued', RUNNING: 'Running', SUCCEEDED: 'Done', FAILED: 'Failed', CANCELLED: 'Cancelled', PAUSED: 'Paused',
@@ -34,5 +35,6 @@ export function progressText(job: SimJob): string {
   const parts = [`${Number(t.toPrecision(3))} of ${duration} s`, `${frames} of ${planned} frames`];
   if (job.state === 'RUNNING') parts.push(left === undefined ? 'time left not known yet' : `${spanText(left)} left`);
   else parts.push(`took ${spanText(wall)}`);
+  if (progress.error_estimate_m !== undefined) parts.push(`error about ${shortNumber(1e3 * progress.error_estimate_m)} mm`);
   return parts.join(' · ');
 }

@@ -14,8 +14,16 @@ interface Summary {
   newton_iterations?: number;
   wall_s?: number;
   max_stretch?: number | null;
+  error_estimate_m?: number | null;
+  predictable_until_s?: number | null;
   linear_solver?: string;
   threads?: number;
+}
+
+function errorText({ error_estimate_m: error, predictable_until_s: until }: Summary): string | undefined {
+  if (typeof error !== 'number') return undefined;
+  const estimate = `about ${shortNumber(1e3 * error)} mm at most`;
+  return typeof until === 'number' ? `${estimate}; not predictable beyond ${shortNumber(until)} s` : estimate;
 }
 
 function rowsOf(summary: Summary): [string, string][] {
@@ -26,6 +34,7 @@ function rowsOf(summary: Summary): [string, string][] {
     ['Steps', summary.steps === undefined ? undefined : `${summary.steps}, ${summary.rejected_steps ?? 0} rejected`],
     ['Newton iterations', summary.newton_iterations?.toString()],
     ['Wall time', summary.wall_s === undefined ? undefined : spanText(summary.wall_s)],
+    ['Error of positions', errorText(summary)],
     ['Yarn stretched to', typeof summary.max_stretch === 'number' ? `${shortNumber(100 * summary.max_stretch)} % at most` : undefined],
     ['Effects', summary.effects?.join(', ').replaceAll('_', ' ')],
     ['Solver', summary.linear_solver],

@@ -53,7 +53,7 @@ export const numericsField = group('Accuracy', {
     smallest_step_s: number('Smallest step', 1e-7, seconds),
     integrator: choice('Integrator', ['IMPLICIT_EULER', 'BDF2', 'SDIRK2', 'IMPLICIT_MIDPOINT', 'LINEARISED_EULER']),
   }),
-  accuracy: group('By a tolerance (servers may refuse it)', { tolerance_m: number('Error of positions', 'required', mm) }),
+  accuracy: group('By a tolerance', { tolerance_m: number('Error of positions', 'required', mm) }),
 }, { label: 'Numerics', keys: ['fixed', 'accuracy'], none: 'defaults' });
 
 export const sceneField: GroupField = group('Scene', {
