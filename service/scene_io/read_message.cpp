@@ -4,6 +4,7 @@
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/unknown_field_set.h>
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <optional>
@@ -64,6 +65,7 @@ class Reader {
         continue;
       }
       if (const OneofDescriptor* oneof = field->real_containing_oneof()) {
+        if (member.key_offset != kNoOffset && is_set(*object, *oneof)) continue;  // instead of the file's choice
         auto [first, fresh] = chosen.emplace(oneof, field);
         if (!fresh) {
           report(member_path, member.key_offset, "a second choice beside \"" + first->second->name() + "\"",
@@ -76,6 +78,14 @@ class Reader {
   }
 
  private:
+  /// Whether a setting has chosen a member of the oneof.
+  static bool is_set(const JsonObject& object, const OneofDescriptor& oneof) {
+    return std::any_of(object.begin(), object.end(), [&](const JsonMember& member) {
+      const FieldDescriptor* field = oneof.containing_type()->FindFieldByName(member.key);
+      return member.key_offset == kNoOffset && field != nullptr && field->real_containing_oneof() == &oneof;
+    });
+  }
+
   void read_field(const JsonNode& node, Message& message, const FieldDescriptor& field, const std::string& path) {
     if (!field.is_repeated()) return read_value(node, message, field, path);
     const auto* array = std::get_if<JsonArray>(&node.value);

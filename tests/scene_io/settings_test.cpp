@@ -30,6 +30,15 @@ TEST(Settings, ReachIntoArraysAndAppend) {
   EXPECT_EQ(std::get<Edge>(scene.handles[1].where), Edge::bottom);
 }
 
+TEST(Settings, TakeThePlaceOfAnotherChoiceInTheFile) {
+  const std::string text = good_scene(R"(, "fixed": {"time_step_s": 0.001})");
+  LoadResult result = load_scene_json(text, {"accuracy.tolerance_m=1e-4"});
+  ASSERT_EQ(problems(result), "");
+  EXPECT_EQ(std::get<AccuracyNumerics>(std::get<LoadedScene>(result).scene.numerics).tolerance_m, 1e-4);
+  const std::string both = problems(load_scene_json(good_scene(), {"accuracy.tolerance_m=1e-4", "fixed={}"}));
+  EXPECT_NE(both.find("a second choice"), std::string::npos) << both;
+}
+
 TEST(Settings, BadOnesAreRefused) {
   const std::vector<std::pair<std::string, std::string>> table{
       {"duration_s", "is the setting \"duration_s\", expected PATH=VALUE"},
