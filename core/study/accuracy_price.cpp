@@ -66,6 +66,16 @@ double extended_time_at(const std::vector<Point>& front, double error) {
 
 }  // namespace
 
+void set_orders(std::vector<RungResult>& rungs) {
+  const RungResult* before = nullptr;
+  for (RungResult& r : rungs) {
+    if (!comparable(r) || r.rung.method == kStaticMethod) continue;
+    if (before != nullptr && before->rung.method == r.rung.method && before->resolved && r.resolved)
+      r.order = std::log(before->errors->position_m / r.errors->position_m) / std::log(before->rung.size / r.rung.size);
+    before = &r;
+  }
+}
+
 void mark_front(std::vector<RungResult>& rungs) {
   for (RungResult& a : rungs) {
     const auto wins = [&](const RungResult& b) { return comparable(b) && beats(point_of(b), point_of(a)); };

@@ -8,6 +8,10 @@
 
 namespace slipstitch {
 
+/// Of rungs method by method: what their errors fall with from one to the next, where both are resolved. Not of static
+/// ones, which have several tolerances a step.
+void set_orders(std::vector<RungResult>& rungs);
+
 /// The rungs with errors of which no other is both faster and more accurate: on_front.
 void mark_front(std::vector<RungResult>& rungs);
 

@@ -2,7 +2,7 @@
 #include "study/compare_rungs.h"
 
 #include <algorithm>
-#include <limits>
+#include <functional>
 
 namespace slipstitch {
 
@@ -18,19 +18,26 @@ RungDifferences compare_rungs(const Scene& scene, const std::vector<RungResult>&
   return differences;
 }
 
-std::size_t common_frames(const RungDifferences& differences, const std::vector<double>& parting_m, double least_m) {
-  std::size_t frames = std::numeric_limits<std::size_t>::max();
-  if (parting_m.empty()) return frames;
-  for (const auto& difference : differences)
-    if (difference) frames = std::min(frames, predictable_frames(difference->max_m, parting_m, least_m));
-  return frames;
+Horizon common_horizon(const RungDifferences& differences, const std::vector<double>& parting_m, double least_m) {
+  Horizon horizon;
+  std::vector<std::size_t> known;
+  for (const auto& difference : differences) {
+    horizon.own.push_back(0);
+    if (!difference) continue;
+    const std::size_t all = difference->max_m.size();
+    horizon.own.back() = parting_m.empty() ? all : predictable_frames(difference->max_m, parting_m, least_m);
+    known.push_back(horizon.own.back());
+  }
+  std::sort(known.begin(), known.end(), std::greater<>());
+  if (!known.empty()) horizon.frames = known[(known.size() - 1) / 2];
+  return horizon;
 }
 
-std::optional<double> smallest_error(const RungDifferences& differences, std::size_t frames) {
+std::optional<double> smallest_error(const RungDifferences& differences, const Horizon& horizon) {
   std::optional<double> least;
-  for (const auto& difference : differences) {
-    if (!difference) continue;
-    const double error = largest(difference->max_m, frames);
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    if (!differences[i] || horizon.own[i] < horizon.frames) continue;
+    const double error = largest(differences[i]->max_m, horizon.frames);
     least = least ? std::min(*least, error) : error;
   }
   return least;

@@ -39,13 +39,14 @@ class Search {
 
   FoundReference go(int most_runs) {
     start();
-    for (int k = 0; k < most_runs && !runs_.ended() && !found_.facts.settled; ++k) {
+    for (int k = 0; k < most_runs && !runs_.ended() && !settled_ && !at_noise_; ++k) {
       if (k > 0 && !runs_.fits(2.0 * kNextCost * last_wall_s_, until_s_)) {
         found_.facts.out_of_time = true;
         break;
       }
       if (!refine(k)) break;
-      if (!found_.trace.t.empty() && !found_.facts.twin_step_s) run_twin();
+      if (!found_.facts.twin_step_s) run_twin();
+      judge();
     }
     if (found_.facts.twin_step_s != found_.facts.step_s) run_twin();
     return std::move(found_);
@@ -87,16 +88,17 @@ class Search {
     found_.trace = std::move(kept->trace);
     if (!last_trace_.t.empty()) found_.change_m.push_back(difference(found_.trace, last_trace_).max_m);
     last_trace_ = found_.trace;
-    judge();
     return true;
   }
 
   void judge() {
     if (found_.change_m.empty()) return;
     const RungDifferences differences = compare_rungs(scene_, rungs_, runs_, found_.trace);
-    const std::size_t frames = common_frames(differences, found_.parting_m, least_error(scene_));
-    const auto smallest = smallest_error(differences, frames);
-    found_.facts.settled = smallest && largest(found_.change_m.back(), frames) <= kSettledShare * *smallest;
+    const Horizon horizon = common_horizon(differences, found_.parting_m, least_error(scene_));
+    if (horizon.frames < 2) return;  // nothing to compare but the start
+    const double change = largest(found_.change_m.back(), horizon.frames);
+    settled_ = change <= kSettledShare * smallest_error(differences, horizon).value_or(0.0);
+    at_noise_ = !found_.parting_m.empty() && change <= largest(found_.parting_m, horizon.frames);
   }
 
   void run_twin() {
@@ -113,6 +115,7 @@ class Search {
   StudyRuns& runs_;
   const double until_s_;
   Rung first_, last_;
+  bool settled_ = false, at_noise_ = false;
   double step_factor_ = 0.5, last_wall_s_ = 0.0;
   FrameTrace last_trace_;
   FoundReference found_;
@@ -134,10 +137,11 @@ void set_reference_error(FoundReference& reference, std::size_t frames, double s
   facts.change_m.clear();
   for (const std::vector<double>& change : reference.change_m) facts.change_m.push_back(largest(change, frames));
   const std::size_t count = facts.change_m.size();
-  if (count == 0) return;
+  if (count == 0 || frames < 2) return;
   const double last = facts.change_m.back();
   facts.error_m = last;
   facts.settled = last <= kSettledShare * smallest_m;
+  facts.at_noise = !reference.parting_m.empty() && last <= largest(reference.parting_m, frames);
   if (count < 2 || last <= 0.0) return;
   facts.order = std::log2(facts.change_m[count - 2] / last);
   facts.extrapolated = *facts.order >= kLeastOrder && *facts.order <= kMostOrder;

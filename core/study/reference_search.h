@@ -13,8 +13,9 @@ struct FoundReference {
 };
 
 /// Refines SDIRK2, or the static solve, beyond all rungs that have a result: the step halves and Newton's tolerance
-/// falls to a quarter each time, until positions change by less than a tenth of the smallest error of any rung, or the
-/// time has come. Its twin begins with noise; it is run beside the first refinement and beside the last.
+/// falls to a quarter each time, until positions change by less than a tenth of the smallest error of any rung, or by
+/// no more than the twin is away, or the time has come. The twin begins with noise; it is run beside the first
+/// refinement and beside the last.
 FoundReference find_reference(const Scene& scene, const std::vector<RungResult>& rungs, StudyRuns& runs, bool quick,
                               double until_s);
 

@@ -48,7 +48,7 @@ Rung fixed_rung(const Scene& scene, const Method& method, double step) {
   numerics.integrator = method.integrator;
   numerics.time_step_s = step;
   numerics.smallest_step_s = std::min(numerics.smallest_step_s, step);
-  return {method.name, std::string(method.name) + " " + three_digits(1e3 * step) + " ms", step, numerics};
+  return {method.name, three_digits(1e3 * step) + " ms", step, numerics};
 }
 
 Rung static_rung(const Scene& scene, double step, double factor) {
@@ -56,17 +56,14 @@ Rung static_rung(const Scene& scene, double step, double factor) {
   numerics.time_step_s = step;
   numerics.smallest_step_s = std::min(numerics.smallest_step_s, step);
   numerics.force_tolerance_n *= factor;
-  const std::string method(kStaticMethod);
-  return {method,
-          method + " " + three_digits(1e3 * step) + " ms " + three_digits(1e9 * numerics.force_tolerance_n) + " nN",
-          step, numerics};
+  return {std::string(kStaticMethod),
+          three_digits(1e3 * step) + " ms " + three_digits(1e9 * numerics.force_tolerance_n) + " nN", step, numerics};
 }
 
 Rung accurate_rung(double tolerance) {
   AccuracyNumerics numerics;
   numerics.tolerance_m = tolerance;
-  const std::string method(kAccuracyMethod);
-  return {method, method + " " + three_digits(1e3 * tolerance) + " mm", tolerance, numerics};
+  return {std::string(kAccuracyMethod), three_digits(1e3 * tolerance) + " mm", tolerance, numerics};
 }
 
 }  // namespace
@@ -100,6 +97,8 @@ std::vector<Rung> ladder(const Scene& scene, bool quick) {
   return rungs;
 }
 
+std::string rung_name(const Rung& rung) { return rung.method + " " + rung.label; }
+
 Scene with_rung(const Scene& scene, const Rung& rung) {
   Scene variant = scene;
   variant.numerics = rung.numerics;
@@ -117,7 +116,7 @@ Rung refined(const Rung& rung, double step_factor, double tolerance_factor) {
                std::max(kLeastVelocityTolerance, tolerance_factor * numerics.velocity_tolerance_m_per_s));
   numerics.force_tolerance_n *= tolerance_factor;
   finer.size = numerics.time_step_s;
-  finer.name = rung.method + " " + three_digits(1e3 * finer.size) + " ms, reference";
+  finer.label = three_digits(1e3 * finer.size) + " ms, reference";
   return finer;
 }
 

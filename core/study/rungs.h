@@ -14,7 +14,7 @@ namespace slipstitch {
 /// or the refinement of the yarn, joins here.
 struct Rung {
   std::string method;  // of a curve of rungs: an integrator as scene files spell it, STATIC or ACCURACY
-  std::string name;    // "BDF2 4.17 ms"; no other rung of its ladder has it
+  std::string label;   // which one of the curve: "4.17 ms"
   double size = 0.0;   // what goes down along a curve: the step [s], or the tolerance of positions [m]
   std::variant<FixedNumerics, AccuracyNumerics> numerics;
 };
@@ -31,6 +31,8 @@ std::vector<Rung> all_rungs(const Scene& scene, bool quick);
 
 /// Those of all_rungs() that check() accepts.
 std::vector<Rung> ladder(const Scene& scene, bool quick);
+
+std::string rung_name(const Rung& rung);  // "BDF2 4.17 ms"
 
 Scene with_rung(const Scene& scene, const Rung& rung);
 

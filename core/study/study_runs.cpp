@@ -28,7 +28,7 @@ double work_of(const Scene& scene, const Rung& rung) {
 }  // namespace
 
 StudyRun study_run(const Scene& scene, const Rung& rung, bool noise) {
-  StudyRun run{with_rung(scene, rung), exact_text(rung), rung.name, work_of(scene, rung), noise};
+  StudyRun run{with_rung(scene, rung), exact_text(rung), rung_name(rung), work_of(scene, rung), noise};
   if (noise) {
     run.key += " noise";
     run.what += ", with noise";

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
+#include "sim/describe_place.h"
+#include "sim/prepare.h"
 #include "study/accuracy_price.h"
 #include "study/compare_rungs.h"
 #include "study/median.h"
@@ -12,6 +15,7 @@
 namespace slipstitch {
 namespace {
 
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kLadderShare = 1.0 / 3.0;  // of the budget; what is left is the reference's
 constexpr double kShortRun_s = 2.0;         // is run again
@@ -20,6 +24,15 @@ constexpr double kNextRungCost = 2.0;   // of the one before of the same method
 constexpr double kReferenceWork = 6.0;  // of its first run: itself, its twin, one refinement and its twin
 constexpr double kResolved = 3.0;       // times the error of the reference
 constexpr const char* kNoTime = "did not fit into the time";
+
+RungErrors errors_over(std::size_t frames, const TraceDifference& d) {
+  RungErrors errors{kNothing, kNothing, kNothing, d.stored_j, d.force_n, d.length_m};
+  if (frames < 2) return errors;  // all begin alike
+  errors.position_m = largest(d.max_m, frames);
+  errors.most_m = largest(d.most_m, frames);
+  errors.rms_m = root_mean(d.mean_m2, frames);
+  return errors;
+}
 
 class Study {
  public:
@@ -44,6 +57,8 @@ class Study {
     run_ladder();
     repeat_short_ones();
     if (!runs_.ended() && !nothing_ran()) refer();
+    sort_by_method();
+    set_orders(study_.rungs);
     mark_front(study_.rungs);
     compare_with_baseline(study_.rungs);
     study_.digits = digit_prices(study_.rungs);
@@ -86,6 +101,15 @@ class Study {
         result.no_result = kNoTime;
       }
     }
+  }
+
+  void sort_by_method() {
+    std::vector<std::string> methods;
+    for (const RungResult& r : study_.rungs)
+      if (std::find(methods.begin(), methods.end(), r.rung.method) == methods.end()) methods.push_back(r.rung.method);
+    const auto place = [&](const RungResult& r) { return std::find(methods.begin(), methods.end(), r.rung.method); };
+    std::stable_sort(study_.rungs.begin(), study_.rungs.end(),
+                     [&](const RungResult& a, const RungResult& b) { return place(a) < place(b); });
   }
 
   void take(const KeptRun& kept, RungResult& result) {
@@ -137,23 +161,35 @@ class Study {
   void compare_with(FoundReference& found) {
     const FrameTrace& trace = found.trace;
     const RungDifferences differences = compare_rungs(scene_, study_.rungs, runs_, trace);
-    const double least = least_error(scene_);
-    const std::size_t frames = std::min(common_frames(differences, found.parting_m, least), trace.size());
+    const Horizon horizon = common_horizon(differences, found.parting_m, least_error(scene_));
+    const std::size_t frames = horizon.frames;
     if (frames < trace.size()) study_.horizon_s = trace.t[frames];
-    set_reference_error(found, frames, smallest_error(differences, frames).value_or(0.0));
+    set_reference_error(found, frames, smallest_error(differences, horizon).value_or(0.0));
     study_.stored_j = *std::max_element(trace.stored_j.begin(), trace.stored_j.end());
     study_.force_n = *std::max_element(trace.force_n.begin(), trace.force_n.end());
     study_.length_m = *std::max_element(trace.length_m.begin(), trace.length_m.end());
+    std::map<int, int> rungs_by_node;  // that have their largest error there
     for (std::size_t i = 0; i < differences.size(); ++i) {
       if (!differences[i]) continue;
       const TraceDifference& d = *differences[i];
       RungResult& result = study_.rungs[i];
-      result.errors = {largest(d.max_m, frames), root_mean(d.mean_m2, frames), d.stored_j, d.force_n, d.length_m};
-      result.resolved = found.facts.error_m && result.errors->position_m > kResolved * *found.facts.error_m;
-      if (found.parting_m.empty()) continue;
-      const std::size_t own = predictable_frames(d.max_m, found.parting_m, least);
-      if (own < trace.size()) result.predictable_until_s = trace.t[own];
+      result.errors = errors_over(frames, d);
+      if (frames > 1) ++rungs_by_node[d.node[place_of_largest(d.max_m, frames)]];
+      const bool predictable = horizon.own[i] >= frames;
+      result.resolved = predictable && result.errors->position_m > kResolved * found.facts.error_m.value_or(0.0);
+      if (horizon.own[i] < trace.size()) result.predictable_until_s = trace.t[horizon.own[i]];
     }
+    name_worst_place(rungs_by_node);
+  }
+
+  void name_worst_place(const std::map<int, int>& rungs_by_node) {
+    const auto most = std::max_element(rungs_by_node.begin(), rungs_by_node.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (most == rungs_by_node.end()) return;
+    const Prepared prepared = prepare(scene_);
+    if (prepared.failure) return;
+    study_.worst_place = describe_coordinate(prepared.model.topology, 3 * most->first);
+    study_.at_worst_place = most->second;
   }
 
   const Scene& scene_;

@@ -11,9 +11,11 @@
 
 namespace slipstitch {
 
-/// How far a run is from the reference.
+/// How far a run is from the reference. Positions up to the horizon, NaN where that leaves nothing to compare.
 struct RungErrors {
-  double position_m = 0.0, rms_m = 0.0;  // of any node at any frame up to the horizon; root mean square over both
+  double position_m = 0.0;  // of any node at any frame
+  double most_m = 0.0;      // that 95 of 100 nodes keep to at any frame
+  double rms_m = 0.0;       // root mean square over nodes and frames
   double stored_j = 0.0, force_n = 0.0,
          length_m = 0.0;  // of what FrameTrace has of every frame, the largest of the run
 };
@@ -27,9 +29,10 @@ struct RungResult {
   double wall_s = 0.0;    // the median
   double memory_bytes = 0.0;
   long steps = 0, rejected_steps = 0, newton_iterations = 0, factorizations = 0, cg_iterations = 0;
-  std::optional<double> error_estimate_m;     // the run's own
-  std::optional<RungErrors> errors;           // none without a reference
-  bool resolved = false;                      // the error is more than three times the reference's own
+  std::optional<double> error_estimate_m;  // the run's own
+  std::optional<RungErrors> errors;        // none without a reference
+  std::optional<double> order;  // power of the step, or tolerance, that errors fell with since the rung before
+  bool resolved = false;        // the error is more than three times the reference's own, and predictable
   std::optional<double> predictable_until_s;  // to its own error; none: to the end
   std::optional<double> speedup;              // time of the baseline to the same error / its own; none: not known
   bool extrapolated = false;                  // that time, beyond what was run of the baseline
@@ -47,6 +50,7 @@ struct StudyReference {
   std::optional<double>
       error_m;  // its own: what is left by that order where it fits (extrapolated), else the last change
   bool extrapolated = false, settled = false;  // settled: the last change is below a tenth of every rung's error
+  bool at_noise = false;                       // the last change is no larger than what the twin's noise makes
   bool out_of_time = false;                    // before it settled
   std::optional<double>
       twin_step_s;               // of the run with noise; none: there was none, and nothing is known of the horizon
@@ -65,8 +69,10 @@ struct WorkPrecision {
   double radius_m = 0.0, duration_s = 0.0;
   int loops = 0, dofs = 0, frames = 0, threads = 1;
   bool quick = false, stopped = false;  // stopped: when asked to; what was run is on the shelf
-  std::vector<RungResult> rungs;        // in the order of ladder()
+  std::vector<RungResult> rungs;        // method by method, coarse to fine
   StudyReference reference;
+  std::string worst_place;          // where most rungs have their largest error
+  int at_worst_place = 0;           // so many
   std::optional<double> horizon_s;  // from here on positions are not compared; none: they are to the end
   double stored_j = 0.0, force_n = 0.0, length_m = 0.0;  // largest of the reference at any frame, to set errors against
   std::vector<DigitPrice> digits;
