@@ -110,15 +110,17 @@ class StudyCommandRun {
   }
 
   int go(Scene scene) {
+    WorkPrecision study;
     if (scene.effects.automatic) {
+      bar_.show("choosing the effects of " + scene.name);
       ChosenScene chosen = choose_effects(scene, work_.threads, work_.should_stop);
-      if (chosen.cancelled) return kExitInterrupted;
+      study.stopped = chosen.cancelled;
       scene = std::move(chosen.scene);
     }
     work_.on_progress = [&](double share, const std::string& what) {
       bar_.show_share(share, scene.name + ", " + what);
     };
-    const WorkPrecision study = study_work_precision(scene, work_);
+    if (!study.stopped) study = study_work_precision(scene, work_);
     bar_.clear();
     const int code = study.stopped ? interrupted() : report(study);
     if (options_.json) std::cout << study_json(options_, study).dump(2) << std::endl;
@@ -182,10 +184,7 @@ Command add_study(CLI::App& root) {
   auto options = std::make_shared<StudyCommandOptions>();
   CLI::App* app = root.add_subcommand("study", "Run a scene in many ways: what accuracy costs in time");
   add_scene_options(*app, options->scene);
-  app->add_option("--out", options->out,
-                  "Folder for table, plots and page: new, empty, or of this study, which then goes on")
-      ->type_name("DIR")
-      ->required();
+  app->add_option("--out", options->out, "New or empty, or of this study, which goes on")->type_name("DIR")->required();
   app->add_flag("--quick", options->quick, "Fewer ways, and a coarser reference");
   app->add_option("--budget", options->budget_s, "Wall time for all; what does not fit is not run")
       ->type_name("SECONDS")

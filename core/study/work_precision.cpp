@@ -18,7 +18,6 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kForever = std::numeric_limits<double>::infinity();
 constexpr double kLadderShare = 1.0 / 3.0;  // of the budget; what is left is the reference's
-constexpr double kShortRun_s = 2.0;         // is run again
 constexpr int kTimes = 3;
 constexpr double kNextRungCost = 2.0;   // of the one before of the same method
 constexpr double kReferenceWork = 6.0;  // of its first run: itself, its twin, one refinement and its twin
@@ -39,6 +38,7 @@ class Study {
   Study(const Scene& scene, const WorkPrecisionOptions& options)
       : scene_(scene),
         runs_(options),
+        short_run_s_(options.short_run_s),
         until_s_(options.budget_s > 0.0 ? options.budget_s : kForever),
         ladder_until_s_(options.budget_s > 0.0 ? kLadderShare * options.budget_s : kForever) {
     study_.scene = scene.name;
@@ -135,7 +135,8 @@ class Study {
   bool nothing_ran() {
     if (std::any_of(study_.rungs.begin(), study_.rungs.end(), [](const RungResult& r) { return r.no_result.empty(); }))
       return false;
-    study_.failure = study_.rungs.back().no_result;
+    const auto failed = std::find_if(study_.rungs.begin(), study_.rungs.end(), [](const auto& r) { return r.failed; });
+    study_.failure = failed != study_.rungs.end() ? failed->no_result : "no run of it fits into the time";
     study_.reference.failure = "no rung ran";
     return true;
   }
@@ -144,7 +145,7 @@ class Study {
   void repeat_short_ones() {
     for (int times = 2; times <= kTimes; ++times)
       for (RungResult& result : study_.rungs) {
-        if (!result.no_result.empty() || result.times >= times || result.wall_s >= kShortRun_s) continue;
+        if (!result.no_result.empty() || result.times >= times || result.wall_s >= short_run_s_) continue;
         const StudyRun run = study_run(scene_, result.rung);
         if (!runs_.fits(result.wall_s, ladder_until_s_)) continue;
         if (!runs_.again(run, ladder_until_s_)) continue;
@@ -194,7 +195,7 @@ class Study {
 
   const Scene& scene_;
   StudyRuns runs_;
-  const double until_s_, ladder_until_s_;
+  const double short_run_s_, until_s_, ladder_until_s_;
   WorkPrecision study_;
 };
 

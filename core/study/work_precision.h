@@ -83,6 +83,7 @@ struct WorkPrecisionOptions {
   bool quick = false;
   int threads = 1;
   double budget_s = 0.0;            // of wall time for all that is run; 0: no end
+  double short_run_s = 2.0;         // rungs that take less are run three times, in turn
   RunShelf* shelf = nullptr;        // null: that of the process
   std::function<double()> clock_s;  // empty: the steady one
   std::function<void(double share, const std::string& what)> on_progress;  // may be empty
@@ -94,8 +95,7 @@ inline constexpr double kTwinNoise_m = 1e-9;
 /// No horizon is drawn for errors below this share of the yarn's radius.
 inline constexpr double kFinestErrorShare = 1e-3;
 
-/// Runs a checked scene, whose effects are chosen, in all ways of its ladder, and compares them with a reference. Rungs
-/// of less than two seconds are run three times, in turn.
+/// Runs a checked scene, whose effects are chosen, in all ways of its ladder, and compares them with a reference.
 WorkPrecision study_work_precision(const Scene& scene, const WorkPrecisionOptions& options);
 
 }  // namespace slipstitch

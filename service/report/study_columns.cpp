@@ -64,10 +64,10 @@ constexpr std::array kPositionColumns{
                   return r.errors ? error_text(r.errors->most_m) : std::string(kNone);
                 },
                 nullptr},
-    StudyColumn{"rms", "the same of all, root mean square over nodes and frames", rms_text, nullptr},
+    StudyColumn{"rms", "the same of all, root mean square over nodes and frames", rms_text, nullptr, true},
     StudyColumn{"order", "power of the step, or tolerance, with which the error has fallen since the row before",
                 [](const RungResult& r, const WorkPrecision&) {
-                  return r.order ? short_number(*r.order, 2) : std::string(kNone);
+                  return r.order ? short_number(std::round(100.0 * *r.order) / 100.0) : std::string(kNone);
                 },
                 nullptr},
     StudyColumn{"estimate", "the run's own estimate of its largest error",
@@ -101,7 +101,7 @@ constexpr std::array kOtherColumns{
     StudyColumn{"factors", "factorisations of the Hessian", count_text<&RungResult::factorizations>, nullptr},
     StudyColumn{"CG", "iterations of conjugate gradients", count_text<&RungResult::cg_iterations>, nullptr},
     StudyColumn{"memory", "heap in use at the last step",
-                [](const RungResult& r, const WorkPrecision&) { return bytes_text(r.memory_bytes); }, nullptr},
+                [](const RungResult& r, const WorkPrecision&) { return bytes_text(r.memory_bytes); }, nullptr, true},
 };
 
 }  // namespace

@@ -14,6 +14,7 @@ struct StudyColumn {
   const char* meaning;  // a sentence
   std::string (*text)(const RungResult& result, const WorkPrecision& study);
   bool (*shown)(const WorkPrecision& study);  // null: always
+  bool wide = false;                          // left out where there is little room
 };
 
 std::span<const StudyColumn> study_position_columns();  // and the time that they cost

@@ -64,13 +64,15 @@ Axis cost_axis(const std::vector<Mark>& marks) {
   return {0.8 * least->cost, 1.25 * most->cost, kLeft, kRight};
 }
 
-Axis error_axis(const std::vector<Mark>& marks) {
+/// With the error of the reference, if that is not far below.
+Axis error_axis(const std::vector<Mark>& marks, const std::optional<double>& reference_m) {
   double low = 1.0, high = 1e-15;
   for (const Mark& mark : marks) {
     if (mark.error > 0.0) low = std::min(low, mark.error);
     high = std::max(high, mark.error);
   }
   if (low > high) low = 0.1 * high;  // no error at all
+  low = std::min(low, std::max(reference_m.value_or(low), 0.1 * low));
   return {std::pow(10.0, std::floor(std::log10(low) - 1e-9)), std::pow(10.0, std::ceil(std::log10(high) + 1e-9)),
           kBottom, kTop};
 }
@@ -184,7 +186,7 @@ std::string study_plot(const WorkPrecision& study, StudyAxis axis) {
     svg.text(0.5 * kWidth, 0.5 * kHeight, "nothing to compare", "middle", kFaint);
     return svg.finish();
   }
-  const Axis cost = cost_axis(marks), error = error_axis(marks);
+  const Axis cost = cost_axis(marks), error = error_axis(marks, study.reference.error_m);
   draw_grid(svg, cost, error, axis);
   draw_level(svg, error, study.radius_m, "radius of the yarn");
   if (study.reference.error_m) draw_level(svg, error, *study.reference.error_m, "error of the reference");

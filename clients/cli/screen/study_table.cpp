@@ -15,14 +15,14 @@ std::string columns_table(const WorkPrecision& study, std::span<const StudyColum
   std::vector<std::vector<std::string>> rows{{name}};
   std::vector<std::string> methods{""};
   for (const StudyColumn& column : columns)
-    if (is_shown(column, study)) rows[0].push_back(column.title);
+    if (!column.wide && is_shown(column, study)) rows[0].push_back(column.title);
   for (const RungResult& result : study.rungs) {
     if (!result.no_result.empty()) continue;
     methods.push_back(result.rung.method);
     auto& row = rows.emplace_back();
     row.push_back((result.on_front ? "* " : "  ") + result.rung.label);
     for (const StudyColumn& column : columns)
-      if (is_shown(column, study)) row.push_back(column.text(result, study));
+      if (!column.wide && is_shown(column, study)) row.push_back(column.text(result, study));
   }
   std::istringstream lines(table(rows));
   std::string text, line;
@@ -36,12 +36,12 @@ std::string columns_table(const WorkPrecision& study, std::span<const StudyColum
 }  // namespace
 
 std::string study_table(const WorkPrecision& study) {
-  const auto others = study_other_columns();  // the last one does not fit
   std::string text = wrapped(study.scene + ":", about_study(study)) + "\n" +
                      columns_table(study, study_position_columns(), "positions") + "\n" +
-                     columns_table(study, others.first(others.size() - 1), "others") + "\n" +
-                     "  *: nothing that was run is both faster and more accurate. ~: error below three\n"
-                     "  times the reference's own. e: the baseline's time to that error is extrapolated.\n";
+                     columns_table(study, study_other_columns(), "others") + "\n" +
+                     wrapped("  *:",
+                             "nothing that was run is both faster and more accurate. ~: error below three times the "
+                             "reference's own. e: the baseline's time to that error is extrapolated.");
   for (const std::string& sentence :
        {about_reference(study), about_horizon(study), about_worst_place(study), about_digits(study)})
     if (!sentence.empty()) text += wrapped("  -", sentence);
