@@ -69,8 +69,11 @@ nlohmann::ordered_json rung_json(const RungResult& r) {
   json["newton_iterations"] = r.newton_iterations;
   json["position_error_m"] = r.errors ? nlohmann::ordered_json(r.errors->position_m) : nlohmann::ordered_json();
   json["error_estimate_m"] = or_null(r.error_estimate_m);
-  json["speedup"] = or_null(r.speedup);
-  json["extrapolated"] = r.extrapolated;
+  for (const auto& [key, speedup] :
+       {std::pair{"speedup", &r.speedup}, std::pair{"speedup_of_95_percent", &r.speedup_most}})
+    json[key] = *speedup
+                    ? nlohmann::ordered_json{{"factor", (*speedup)->factor}, {"extrapolated", (*speedup)->extrapolated}}
+                    : nlohmann::ordered_json();
   json["on_front"] = r.on_front;
   return json;
 }

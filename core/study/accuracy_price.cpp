@@ -14,11 +14,15 @@ struct Point {
   double error_m, wall_s;
 };
 
-bool comparable(const RungResult& result) {
-  return result.errors && std::isfinite(result.errors->position_m) && result.wall_s > 0.0;
+using Error = double RungErrors::*;
+
+bool comparable(const RungResult& result, Error error = &RungErrors::position_m) {
+  return result.errors && std::isfinite((*result.errors).*error) && result.wall_s > 0.0;
 }
 
-Point point_of(const RungResult& result) { return {std::max(result.errors->position_m, kNoError_m), result.wall_s}; }
+Point point_of(const RungResult& result, Error error = &RungErrors::position_m) {
+  return {std::max((*result.errors).*error, kNoError_m), result.wall_s};
+}
 
 /// b makes a superfluous.
 bool beats(const Point& b, const Point& a) {
@@ -64,6 +68,19 @@ double extended_time_at(const std::vector<Point>& front, double error) {
   return end.wall_s * end.error_m / error;
 }
 
+void compare_with_baseline(std::vector<RungResult>& rungs, Error error, std::optional<Speedup> RungResult::*speedup) {
+  std::vector<Point> points;
+  for (const RungResult& result : rungs)
+    if (result.rung.method == kBaselineMethod && comparable(result, error)) points.push_back(point_of(result, error));
+  if (points.empty()) return;
+  const std::vector<Point> front = frontier(points);
+  for (RungResult& result : rungs) {
+    if (!comparable(result, error)) continue;
+    const Point here = point_of(result, error);
+    result.*speedup = Speedup{extended_time_at(front, here.error_m) / here.wall_s, !within(front, here.error_m)};
+  }
+}
+
 }  // namespace
 
 void set_orders(std::vector<RungResult>& rungs) {
@@ -84,17 +101,8 @@ void mark_front(std::vector<RungResult>& rungs) {
 }
 
 void compare_with_baseline(std::vector<RungResult>& rungs) {
-  std::vector<Point> points;
-  for (const RungResult& result : rungs)
-    if (result.rung.method == kBaselineMethod && comparable(result)) points.push_back(point_of(result));
-  if (points.empty()) return;
-  const std::vector<Point> front = frontier(points);
-  for (RungResult& result : rungs) {
-    if (!comparable(result)) continue;
-    const Point here = point_of(result);
-    result.speedup = extended_time_at(front, here.error_m) / here.wall_s;
-    result.extrapolated = !within(front, here.error_m);
-  }
+  compare_with_baseline(rungs, &RungErrors::position_m, &RungResult::speedup);
+  compare_with_baseline(rungs, &RungErrors::most_m, &RungResult::speedup_most);
 }
 
 std::vector<DigitPrice> digit_prices(const std::vector<RungResult>& rungs) {

@@ -15,9 +15,9 @@ void set_orders(std::vector<RungResult>& rungs);
 /// The rungs with errors of which no other is both faster and more accurate: on_front.
 void mark_front(std::vector<RungResult>& rungs);
 
-/// What the baseline takes to every rung's error, over what the rung takes: speedup. Between the baseline's own rungs
-/// that is interpolated in logarithms, over those that no other of them beats; beyond them the time goes with 1 /
-/// error, as of a method of first order whose steps all take the same.
+/// What the baseline takes to every rung's error, over what the rung takes: speedup and speedup_most. Between the
+/// baseline's own rungs that is interpolated in logarithms, over those that no other of them beats; beyond them the
+/// time goes with 1 / error, as of a method of first order whose steps all take the same.
 void compare_with_baseline(std::vector<RungResult>& rungs);
 
 /// What ten times less error costs along the marked front: from every power of ten to the next within it, in logarithms

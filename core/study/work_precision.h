@@ -20,6 +20,12 @@ struct RungErrors {
          length_m = 0.0;  // of what FrameTrace has of every frame, the largest of the run
 };
 
+/// Time of the baseline to the same error / that of the rung.
+struct Speedup {
+  double factor = 0.0;
+  bool extrapolated = false;  // the baseline's time, beyond what was run of it
+};
+
 /// One way to run the scene, what it costs and what it gives.
 struct RungResult {
   Rung rung;
@@ -33,10 +39,9 @@ struct RungResult {
   std::optional<RungErrors> errors;        // none without a reference
   std::optional<double> order;  // power of the step, or tolerance, that errors fell with since the rung before
   bool resolved = false;        // the error is more than three times the reference's own, and predictable
-  std::optional<double> predictable_until_s;  // to its own error; none: to the end
-  std::optional<double> speedup;              // time of the baseline to the same error / its own; none: not known
-  bool extrapolated = false;                  // that time, beyond what was run of the baseline
-  bool on_front = false;                      // no other one is both faster and more accurate
+  std::optional<double> predictable_until_s;     // to its own error; none: to the end
+  std::optional<Speedup> speedup, speedup_most;  // to the same position_m, and most_m; none: not known
+  bool on_front = false;                         // no other one is both faster and more accurate
 };
 
 /// What the others are compared to: the scene with ever shorter steps and tighter solves, until that changes nothing.

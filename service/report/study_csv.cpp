@@ -15,6 +15,11 @@ Cell error_of(const RungResult& r, double RungErrors::*field) {
   return r.errors ? Cell((*r.errors).*field) : std::nullopt;
 }
 
+Cell factor_of(const std::optional<Speedup>& speedup) { return speedup ? Cell(speedup->factor) : std::nullopt; }
+Cell extrapolated(const std::optional<Speedup>& speedup) {
+  return speedup ? Cell(speedup->extrapolated ? 1.0 : 0.0) : std::nullopt;
+}
+
 struct Field {
   const char* name;
   Cell (*value)(const RungResult& r, const WorkPrecision& study);
@@ -43,9 +48,11 @@ constexpr std::array kFields{
     Field{"order", [](const RungResult& r, const WorkPrecision&) { return r.order; }},
     Field{"resolved", [](const RungResult& r, const WorkPrecision&) { return Cell(r.resolved ? 1.0 : 0.0); }},
     Field{"predictable_until_s", [](const RungResult& r, const WorkPrecision&) { return r.predictable_until_s; }},
-    Field{"speedup", [](const RungResult& r, const WorkPrecision&) { return r.speedup; }},
-    Field{"speedup_extrapolated",
-          [](const RungResult& r, const WorkPrecision&) { return Cell(r.extrapolated ? 1.0 : 0.0); }},
+    Field{"speedup", [](const RungResult& r, const WorkPrecision&) { return factor_of(r.speedup); }},
+    Field{"speedup_extrapolated", [](const RungResult& r, const WorkPrecision&) { return extrapolated(r.speedup); }},
+    Field{"speedup_of_95_percent", [](const RungResult& r, const WorkPrecision&) { return factor_of(r.speedup_most); }},
+    Field{"speedup_of_95_percent_extrapolated",
+          [](const RungResult& r, const WorkPrecision&) { return extrapolated(r.speedup_most); }},
     Field{"on_front", [](const RungResult& r, const WorkPrecision&) { return Cell(r.on_front ? 1.0 : 0.0); }},
     Field{"reference_step_s",
           [](const RungResult&, const WorkPrecision& s) {

@@ -161,7 +161,7 @@ TEST(StudyTable, FitsTerminalsOfEightyColumns) {
     r.steps = r.factorizations = 12345;
     r.order = -0.074;
     r.wall_s = 72.0;
-    r.speedup = 0.0087;
+    r.speedup = Speedup{0.0087, true};
   }
   const std::string text = study_table(study);
   std::istringstream lines(text);

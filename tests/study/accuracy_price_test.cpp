@@ -15,6 +15,7 @@ RungResult rung(const std::string& method, double size, double error_m, double w
   result.rung.size = size;
   result.wall_s = wall_s;
   result.errors.emplace().position_m = error_m;
+  result.errors->most_m = 0.01 * error_m * error_m;
   result.resolved = true;
   return result;
 }
@@ -39,14 +40,16 @@ TEST(AccuracyPrice, TheBaselineIsInterpolatedInLogarithms) {
                                 rung("B", 1.0, 1e-3, 2.0),    rung("B", 0.5, 1e-5, 4.0),
                                 rung("B", 2.0, 1e-1, 0.5)};
   compare_with_baseline(rungs);
-  EXPECT_NEAR(*rungs[0].speedup, 1.0, 1e-12);
-  EXPECT_NEAR(*rungs[3].speedup, 10.0 / 2.0, 1e-9);
-  EXPECT_FALSE(rungs[3].extrapolated);
-  EXPECT_NEAR(*rungs[4].speedup, 1000.0 / 4.0, 1e-9);  // ten times the time for a tenth of the error
-  EXPECT_TRUE(rungs[4].extrapolated);
-  EXPECT_NEAR(*rungs[5].speedup, 0.1 / 0.5, 1e-12);
-  EXPECT_TRUE(rungs[5].extrapolated);
-  EXPECT_NEAR(*rungs[2].speedup, 0.5 / 50.0, 1e-12);
+  EXPECT_NEAR(rungs[0].speedup->factor, 1.0, 1e-12);
+  EXPECT_NEAR(rungs[3].speedup->factor, 10.0 / 2.0, 1e-9);
+  EXPECT_FALSE(rungs[3].speedup->extrapolated);
+  EXPECT_NEAR(rungs[4].speedup->factor, 1000.0 / 4.0, 1e-9);  // ten times the time for a tenth of the error
+  EXPECT_TRUE(rungs[4].speedup->extrapolated);
+  EXPECT_NEAR(rungs[3].speedup_most->factor, 10.0 / 2.0, 1e-9);     // the same in between,
+  EXPECT_NEAR(rungs[4].speedup_most->factor, 10000.0 / 4.0, 1e-6);  // but a hundredth of the error beyond
+  EXPECT_NEAR(rungs[5].speedup->factor, 0.1 / 0.5, 1e-12);
+  EXPECT_TRUE(rungs[5].speedup->extrapolated);
+  EXPECT_NEAR(rungs[2].speedup->factor, 0.5 / 50.0, 1e-12);
 }
 
 TEST(AccuracyPrice, WithoutABaselineThereIsNoComparison) {
