@@ -61,7 +61,8 @@ std::vector<Mark> marks_of(const WorkPrecision& study, StudyAxis axis) {
 Axis cost_axis(const std::vector<Mark>& marks) {
   const auto [least, most] =
       std::minmax_element(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.cost < b.cost; });
-  return {0.8 * least->cost, 1.25 * most->cost, kLeft, kRight};
+  const double range = std::max(1.5, most->cost / least->cost);
+  return {least->cost * std::pow(range, -0.09), most->cost * std::pow(range, 0.04), kLeft, kRight};  // room for labels
 }
 
 /// With the error of the reference, if that is not far below.
@@ -112,13 +113,37 @@ std::string polyline(const std::vector<Mark>& marks, const Axis& cost, const Axi
   return "<polyline points=\"" + points + "\" fill=\"none\" " + style + "/>\n";
 }
 
-void draw_front(Svg& svg, std::vector<Mark> marks, const Axis& cost, const Axis& error) {
-  std::erase_if(marks, [](const Mark& mark) { return !mark.result->on_front; });
-  std::sort(marks.begin(), marks.end(), [](const Mark& a, const Mark& b) { return a.error > b.error; });
+/// Those than which no other is both more accurate and cheaper on this axis, by falling error.
+std::vector<Mark> front_of(const std::vector<Mark>& marks) {
+  std::vector<Mark> front;
+  for (const Mark& a : marks)
+    if (std::none_of(marks.begin(), marks.end(), [&](const Mark& b) {
+          return b.error <= a.error && b.cost <= a.cost && (b.error < a.error || b.cost < a.cost);
+        }))
+      front.push_back(a);
+  std::sort(front.begin(), front.end(), [](const Mark& a, const Mark& b) { return a.error > b.error; });
+  return front;
+}
+
+void draw_front(Svg& svg, const std::vector<Mark>& all, const Axis& cost, const Axis& error) {
+  const std::vector<Mark> marks = front_of(all);
   svg.raw(polyline(
       marks, cost, error,
       "stroke=\"" + std::string(kFront) + "\" stroke-width=\"13\" stroke-linecap=\"round\" stroke-linejoin=\"round\""));
   for (const Mark& mark : marks) svg.circle(cost.at(mark.cost), error.at(mark.error), 9.0, kFront);
+}
+
+/// Left and below, where the front leaves room; not where two would meet.
+void label_front(Svg& svg, const std::vector<Mark>& all, const Axis& cost, const Axis& error) {
+  constexpr double kTall = 13.0, kLong = 60.0;
+  double last_x = -kLong, last_y = -kTall;
+  for (const Mark& mark : front_of(all)) {
+    const double x = cost.at(mark.cost) - 10.0, y = error.at(mark.error) + 19.0;
+    if (std::abs(x - last_x) < kLong && std::abs(y - last_y) < kTall) continue;
+    svg.text(x, y, mark.result->rung.label, "end", kFaint, "font-size=\"11\"");
+    last_x = x;
+    last_y = y;
+  }
 }
 
 struct Label {
@@ -191,6 +216,7 @@ std::string study_plot(const WorkPrecision& study, StudyAxis axis) {
   draw_level(svg, error, study.radius_m, "radius of the yarn");
   if (study.reference.error_m) draw_level(svg, error, *study.reference.error_m, "error of the reference");
   draw_front(svg, marks, cost, error);
+  label_front(svg, marks, cost, error);
   draw_curves(svg, marks, cost, error);
   svg.rect(kLabelX, kBottom - 10.0, 18.0, 10.0, kFront);
   svg.text(kLabelX + 24.0, kBottom - 1.0, "front", "start", kFaint);
