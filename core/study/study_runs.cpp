@@ -66,7 +66,6 @@ bool StudyRuns::again(const StudyRun& wanted, double until_s) {
 }
 
 std::optional<KeptRun> StudyRuns::run(const StudyRun& wanted, double until_s) {
-  if (now() >= until_s) return std::nullopt;
   KeptRun kept;
   MeasureOptions options;
   options.threads = options_.threads;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "study/study_scenes.h"
@@ -91,6 +92,23 @@ TEST(WorkPrecision, FindsFromWhereOnABucklingColumnCannotBePredicted) {
   }
 }
 
+TEST(WorkPrecision, ComparesNoPositionsWhereNoneCanBePredicted) {
+  Scene scene = buckling_column();
+  scene.frames_per_s = 10.0;  // the start and the end only
+  CountingShelf shelf;
+  const WorkPrecision study = study_work_precision(scene, quick_on(shelf));
+  ASSERT_TRUE(study.horizon_s);
+  EXPECT_NEAR(*study.horizon_s, 0.1, 1e-12);
+  EXPECT_FALSE(study.reference.error_m);
+  for (const RungResult& r : study.rungs) {
+    ASSERT_TRUE(r.errors);
+    EXPECT_TRUE(std::isnan(r.errors->position_m));
+    EXPECT_TRUE(std::isfinite(r.errors->stored_j));
+    EXPECT_FALSE(r.resolved || r.on_front || r.speedup);
+  }
+  EXPECT_EQ(study.worst_place, "");
+}
+
 TEST(WorkPrecision, RunsNothingTwice) {
   CountingShelf shelf;
   const WorkPrecision first = study_work_precision(smooth_swing(), quick_on(shelf));
@@ -159,6 +177,17 @@ TEST(WorkPrecision, KeepsToItsBudgetAndNamesWhatDidNotFit) {
   EXPECT_TRUE(missing.contains("SDIRK2 4.17 ms"));
   EXPECT_FALSE(missing.contains("IMPLICIT_MIDPOINT 16.7 ms"));
   EXPECT_EQ(study.reference.failure, "");
+}
+
+TEST(WorkPrecision, DoesNotBeginWhatWillNotFit) {
+  CountingShelf shelf;
+  shelf.wall_s = 50.0;
+  with_budget(shelf, 3.0 * 41.0);  // the coarsest of every method
+  const WorkPrecision study = with_budget(shelf, 3.0 * 99.0);
+  for (const RungResult& r : study.rungs) {
+    const bool coarsest = r.rung.size > 0.01;  // the next would take a hundred seconds
+    EXPECT_EQ(r.no_result.empty(), coarsest) << rung_name(r.rung);
+  }
 }
 
 TEST(WorkPrecision, SaysThatThereWasNoTimeForATwinOrAReference) {
