@@ -15,6 +15,7 @@ struct Command {
 Command add_simulate(CLI::App& root);
 Command add_validate(CLI::App& root);
 Command add_effects(CLI::App& root);
+Command add_study(CLI::App& root);
 Command add_serve(CLI::App& root);  // only for the help; main() hands its arguments on
 Command add_submit(CLI::App& root);
 Command add_list(CLI::App& root);

@@ -16,8 +16,9 @@ namespace {
 using namespace slipstitch;
 
 std::vector<Command> add_commands(CLI::App& app) {
-  return {add_simulate(app), add_validate(app), add_effects(app), add_export(app), add_serve(app),  add_submit(app),
-          add_list(app),     add_get(app),      add_watch(app),   add_frames(app), add_cancel(app), add_delete(app)};
+  return {add_simulate(app), add_validate(app), add_effects(app), add_study(app), add_export(app),
+          add_serve(app),    add_submit(app),   add_list(app),    add_get(app),   add_watch(app),
+          add_frames(app),   add_cancel(app),   add_delete(app)};
 }
 
 // Empty when the word is a command or an option. CLI11 would only say that it did not expect it.
@@ -26,7 +27,6 @@ std::string unknown_command(const std::string& word, const std::vector<Command>&
   std::vector<std::string> names;
   for (const Command& command : commands) names.push_back(command.app->get_name());
   if (std::find(names.begin(), names.end(), word) != names.end()) return {};
-  if (word == "study") return "'" + word + "' is not supported yet; there are " + one_of(names);
   const std::string meant = nearest_name(word, names);
   return "there is no command '" + word + "'; " +
          (meant.empty() ? "there are " + one_of(names) : "did you mean '" + meant + "'?");

@@ -7,16 +7,10 @@
 #include "model/effect_list.h"
 #include "model/remarks.h"
 #include "study/measured_run.h"
+#include "study/median.h"
 
 namespace slipstitch {
 namespace {
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 struct Variant {
   Scene scene;

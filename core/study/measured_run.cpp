@@ -48,11 +48,21 @@ void derive_forces(const Scene& scene, MeasuredRun& run) {
   }
 }
 
-}  // namespace
-
-bool is_weight_or_load(std::string_view term) {
-  return term == "gravity" || term == "body_gravity" || term == "dead_load";
+/// Adds what a trace takes to the hooks.
+void trace_frames(FrameTracer& tracer, RunHooks& hooks) {
+  hooks.on_header = [&tracer, then = hooks.on_header](const FrameHeader& header) {
+    tracer.on_header(header);
+    then(header);
+  };
+  hooks.on_frame = [&tracer, then = hooks.on_frame](const Frame& frame) {
+    tracer.on_frame(frame);
+    then(frame);
+  };
+  hooks.on_frame_report = [&tracer](const FrameReport& report) { tracer.on_frame_report(report); };
+  hooks.on_reactions = [&tracer](double, const std::vector<Vec3>& reactions) { tracer.on_reactions(reactions); };
 }
+
+}  // namespace
 
 MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options) {
   MeasuredRun measured;
@@ -71,7 +81,8 @@ MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options) {
     recorded += static_cast<double>(x.size()) * sizeof(double);
   };
   hooks.on_progress = [&](const Progress& progress) {
-    measured.memory_bytes = std::max(0.0, heap_in_use() - before - recorded);
+    const double traced = options.trace != nullptr ? bytes_of(*options.trace) : 0.0;
+    measured.memory_bytes = std::max(0.0, heap_in_use() - before - recorded - traced);
     if (options.on_progress && progress.duration_s > 0.0) options.on_progress(progress.t / progress.duration_s);
   };
   hooks.should_stop = [&] {
@@ -79,6 +90,9 @@ MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options) {
     return (options.max_effort > 0 && measured.effort > options.max_effort) ||
            (options.should_stop && options.should_stop());
   };
+  hooks.on_model = options.on_model;
+  std::optional<FrameTracer> tracer;
+  if (options.trace != nullptr) trace_frames(tracer.emplace(scene, *options.trace), hooks);
   measured.summary = run(scene, options.threads, hooks);
   measured.difference = difference.result();
   derive_forces(scene, measured);

@@ -3,10 +3,10 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "sim/run.h"
+#include "study/frame_trace.h"
 
 namespace slipstitch {
 
@@ -23,7 +23,7 @@ struct FrameDifference {
 /// What one run took and gave.
 struct MeasuredRun {
   RunSummary summary;
-  double memory_bytes = 0.0;  // heap in use at the last step, less what was in use before and the recorded frames
+  double memory_bytes = 0.0;  // heap in use at the last step, less what was in use before and what is recorded
   long effort = 0;            // times the run asked whether to stop, about once a Newton iteration
   double stored_j = 0.0;      // energy in yarn and contacts at the end, without weight and loads
   double tension_n = 0.0;     // largest in any segment at any step, EA (stretch - 1)
@@ -35,13 +35,12 @@ struct MeasureOptions {
   int threads = 1;
   RecordedFrames* record = nullptr;               // filled
   const RecordedFrames* reference = nullptr;      // what `difference` is taken to
+  FrameTrace* trace = nullptr;                    // filled; costs an evaluation of the energies a frame
+  std::function<void(Model&)> on_model;           // as in RunHooks; may be empty
   long max_effort = 0;                            // cancels the run beyond; 0: never
   std::function<void(double share)> on_progress;  // of the run done, 0 to 1; may be empty
   std::function<bool()> should_stop;              // may be empty
 };
-
-/// Whether a term of RunSummary::energy_j is the potential of weight or loads, and not stored in yarn or contacts.
-bool is_weight_or_load(std::string_view term);
 
 /// Runs a checked scene whose effects are chosen.
 MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options);

@@ -8,7 +8,7 @@
 #include <queue>
 
 #include "collide/rigid_body.h"
-#include "study/measured_run.h"
+#include "study/frame_trace.h"
 
 namespace slipstitch {
 namespace {

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
+#include "report/csv_text.h"
 #include "report/effect_report.h"
 #include "report/number_text.h"
 
 namespace slipstitch {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
 
 struct SideField {
   const char* name;

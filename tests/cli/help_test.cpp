@@ -10,7 +10,7 @@
 namespace slipstitch::test {
 namespace {
 
-const std::set<std::string> kCommands{"simulate", "validate", "effects", "export", "serve",  "submit",
+const std::set<std::string> kCommands{"simulate", "validate", "effects", "study",  "export", "serve", "submit",
                                       "list",     "get",      "watch",   "frames", "cancel", "delete"};
 
 // First words of the lines below "Subcommands:" that are indented by two.
@@ -75,16 +75,6 @@ TEST(Help, WordsWithoutDashesDoTheSame) {
   expect_same({"help", "serve"}, {"serve", "--help"});
   expect_same({"version"}, {"--version"});
   EXPECT_EQ(slipstitch({"help", "simulat"}).exit_code, 2);
-}
-
-TEST(Help, WhatIsNotBuiltYetSaysSoAndNamesWhatIs) {
-  for (const char* command : {"study"}) {
-    const ProgramEnd end = slipstitch({command, "scene.json", "--out", "x"});
-    EXPECT_EQ(end.exit_code, 2);
-    EXPECT_EQ(end.out, "");
-    EXPECT_NE(end.err.find("not supported yet"), std::string::npos) << end.err;
-    for (const std::string& known : kCommands) EXPECT_NE(end.err.find(known), std::string::npos) << end.err;
-  }
 }
 
 TEST(Help, AMistypedCommandGetsTheNearest) {

@@ -8,7 +8,6 @@ namespace slipstitch {
 namespace {
 
 constexpr std::size_t kChanges = 5;  // the first columns say what changes, the others what it costs
-constexpr std::size_t kWidth = 78;
 
 // The last word is the unit: "max move [R]" fits above its numbers, "time x" is "time".
 std::string heading(const EffectColumn& column) {
@@ -27,22 +26,6 @@ std::string columns_table(const EffectStudy& study, std::span<const EffectColumn
     for (const EffectColumn& column : columns) row.push_back(cell_text(column.value(price, study)));
   }
   return table(rows);
-}
-
-std::string wrapped(const std::string& head, const std::string& text) {
-  std::string all = head;
-  std::size_t used = head.size();
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    if (used + 1 + end - at > kWidth) {
-      all += "\n   ";
-      used = 3;
-    }
-    all += " " + text.substr(at, end - at);
-    used += 1 + end - at;
-    at = end + 1;
-  }
-  return all + "\n";
 }
 
 }  // namespace

@@ -49,4 +49,21 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
   return text;
 }
 
+std::string wrapped(const std::string& head, const std::string& text) {
+  constexpr std::size_t kWidth = 78;
+  std::string all = head;
+  std::size_t used = head.size();
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    if (used + 1 + end - at > kWidth) {
+      all += "\n   ";
+      used = 3;
+    }
+    all += " " + text.substr(at, end - at);
+    used += 1 + end - at;
+    at = end + 1;
+  }
+  return all + "\n";
+}
+
 }  // namespace slipstitch

@@ -16,6 +16,9 @@ std::vector<std::string> wrap_list(const std::vector<std::string>& words, std::s
 using Rows = std::vector<std::pair<std::string, std::string>>;
 std::string two_columns(const Rows& rows);
 
+/// The words of `text` behind `head`, in lines of at most 78 characters, all but the first indented by three.
+std::string wrapped(const std::string& head, const std::string& text);
+
 /// One row a vector, first row the heading; columns as wide as their content.
 std::string table(const std::vector<std::vector<std::string>>& rows);
 
