@@ -90,7 +90,7 @@ std::vector<std::string> all_remarks(const Scene& given) {
   if (prepared.failure) return remarks;
   Simulation simulation(std::move(prepared.model));
   const RunSpan span = span_of(acting);
-  const std::vector<int> never = colliders_out_of_reach(simulation, bound_reach(simulation), span);
+  const std::vector<int> never = colliders_out_of_reach(simulation, bound_reach(simulation, span), span);
   const Reach stretched = reach_at_twice_its_length(simulation, span);
   const auto remark = [&](int i, const char* text) {
     remarks.push_back("effects.colliders.colliders[" + std::to_string(i) + "] " + text);

@@ -108,7 +108,8 @@ class Chooser {
   void drop_or_keep_colliders(Simulation& sim) {
     if (!effects().colliders) return;
     auto& colliders = effects().colliders->colliders;
-    std::vector<int> out = colliders_out_of_reach(sim, bound_reach(sim), span_of(chosen_.scene));
+    const RunSpan span = span_of(chosen_.scene);
+    std::vector<int> out = colliders_out_of_reach(sim, bound_reach(sim, span), span);
     // Where a dynamic sphere goes is part of the result.
     std::erase_if(out, [&](int i) { return colliders[static_cast<std::size_t>(i)].dynamic.has_value(); });
     for (auto i = out.rbegin(); i != out.rend(); ++i) colliders.erase(colliders.begin() + *i);

@@ -204,11 +204,11 @@ double farthest_way(const Model& model, const ScriptedNodes& script, double dura
 
 }  // namespace
 
-Reach bound_reach(Simulation& sim) {
+Reach bound_reach(Simulation& sim, const RunSpan& span) {
   const Model& model = sim.model();
   Reach reach;
   reach.gravity = gravity_of(model);
-  reach.no_bound = work_not_known(model);
+  reach.no_bound = span.may_add_energy ? "the integrator may add energy" : work_not_known(model);
   if (!reach.no_bound.empty()) return reach;
   const YarnGraph graph = graph_of(model.topology);
   const double energy = start_energy(sim);
@@ -245,7 +245,9 @@ Reach reach_at_twice_its_length(Simulation& sim, const RunSpan& span) {
 
 RunSpan span_of(const Scene& scene) {
   const auto* fixed = std::get_if<FixedNumerics>(&scene.numerics);
-  return {scene.duration_s, fixed != nullptr ? fixed->time_step_s : 1.0 / scene.frames_per_s};
+  const bool euler = fixed != nullptr && fixed->integrator == Integrator::implicit_euler;
+  return {scene.duration_s, fixed != nullptr ? fixed->time_step_s : 1.0 / scene.frames_per_s,
+          scene.effects.inertia && !euler};
 }
 
 namespace {

@@ -26,17 +26,18 @@ struct Reach {
   Vec3 gravity = Vec3::Zero();  // by which dynamic spheres fall, that touch nothing [m/s^2]
 };
 
+struct RunSpan {
+  double duration_s = 0.0, step_s = 0.0;  // step: the largest
+  bool may_add_energy = false;            // a step of implicit Euler, or to rest, ends no higher than it began
+};
+
 /// From the energy that there is, at the start and from weight and loads, every other term taking some: a path of yarn
 /// of rest length S that is strained to r holds EA (r - S)^2/(2 S) at least, and neither implicit Euler nor a way to
 /// rest adds energy. A part that is held stays within a path of its held nodes; one that is free stays within a path of
 /// its centre of mass, which falls freely. Where yarn slides a path can take in all yarn of its part, so the bound is
 /// wide. There is none where something does work that cannot be told before: moving handles, wind, shrinkage; nor for a
-/// free part with loads or without inertia; nor without stretch.
-Reach bound_reach(Simulation& sim);
-
-struct RunSpan {
-  double duration_s = 0.0, step_s = 0.0;  // step: the largest
-};
+/// free part with loads or without inertia; nor without stretch; nor with an integrator that may add energy.
+Reach bound_reach(Simulation& sim, const RunSpan& span);
 
 RunSpan span_of(const Scene& scene);
 

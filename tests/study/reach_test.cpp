@@ -14,7 +14,7 @@ namespace {
 
 Reach reach_of(const Scene& scene) {
   Simulation sim(prepare(scene).model);
-  return bound_reach(sim);
+  return bound_reach(sim, span_of(scene));
 }
 
 /// Least distance that any node at any frame is inside of the reach; negative: one was outside.
@@ -113,6 +113,18 @@ TEST(Reach, HasNoBoundWhereWorkIsDoneThatNobodyKnows) {
   EXPECT_NE(reach_of(scene).no_bound, "");
 }
 
+TEST(Reach, HasNoBoundWhereTheIntegratorMayAddEnergy) {
+  Scene scene = hanging_yarn();
+  scene.numerics = AccuracyNumerics{1e-3};
+  EXPECT_NE(reach_of(scene).no_bound, "");
+  for (const Integrator integrator : {Integrator::bdf2, Integrator::linearised_euler}) {
+    scene.numerics = FixedNumerics{.integrator = integrator};
+    EXPECT_NE(reach_of(scene).no_bound, "");
+  }
+  scene.effects.inertia.reset();
+  EXPECT_EQ(reach_of(scene).no_bound, "");
+}
+
 TEST(Reach, TellsBodiesThatStayOutsideFromThoseThatComeNear) {
   Scene scene = hanging_yarn();
   const Reach reach = reach_of(scene);
@@ -137,7 +149,7 @@ TEST(Reach, IsOfNoUseBehindABodyThatCanPushTheFabricAway) {
   const Collider near{Sphere{Vec3(0.1, -0.1, 0.0), 0.01}, 0.3, {}};
   const auto outside = [&] {
     Simulation sim(prepare(scene).model);
-    return colliders_out_of_reach(sim, bound_reach(sim), {0.5, 0.005});
+    return colliders_out_of_reach(sim, bound_reach(sim, {0.5, 0.005}), {0.5, 0.005});
   };
   effect.colliders = {near, far};
   EXPECT_EQ(outside(), std::vector<int>{1});  // the near one stands still and adds no energy
