@@ -25,7 +25,8 @@ test('the server names a field: the error is at it, and the summary leads there'
   await page.getByRole('switch', { name: 'Sliding', exact: true }).uncheck();
   await page.getByRole('button', { name: 'Submit' }).click();
   await errorAt(page, 'yarn.radius_m').waitFor();
-  assert.match(await errorAt(page, 'yarn.radius_m').textContent(), /is -0\.001, expected a finite number > 0/);
+  assert.match(await errorAt(page, 'yarn.radius_m').textContent(), /^is -1 mm, expected a finite number > 0 mm$/);
+  assert.match(await page.locator('.error-summary a', { hasText: 'yarn.radius_m' }).textContent(), /is -0\.001, expected a finite number > 0$/, 'as the server says it');
   assert.equal(await page.getByLabel('Radius mm').getAttribute('aria-invalid'), 'true');
   assert.match(await errorAt(page, 'effects.sliding_friction').textContent(), /expected effects\.sliding listed too/);
   assert.match(await page.textContent('.error-summary h2'), /problems/);
@@ -133,7 +134,7 @@ test('a number that must be there and is not is said before anything is sent', a
   await page.getByLabel('Error of positions mm').fill('0');
   await page.getByLabel('Error of positions mm').press('Enter');
   await page.getByRole('button', { name: 'Check' }).click();
-  await errorAt(page, 'accuracy.tolerance_m').getByText('is 0, expected a finite number').waitFor();
+  await errorAt(page, 'accuracy.tolerance_m').getByText('is 0 mm, expected a finite number').waitFor();
   await useJson(page, { ...smallScene, fixed: {}, accuracy: { tolerance_m: 1e-4 } });
   await page.getByRole('button', { name: 'Check' }).click();
   await page.locator('.error-summary a', { hasText: 'accuracy is a second choice' }).waitFor();
@@ -165,4 +166,94 @@ test('the chart says what it cannot do', async () => {
   assert.equal(await problem.isVisible(), false);
   assert.equal(await rows(), '7');
   assert.deepEqual(faults, []);
+});
+
+test('a size that no chart can have is a problem like any other, and nothing is sent', async () => {
+  const { page, faults } = view;
+  await useJson(page, smallScene);
+  const courses = page.getByLabel('Courses', { exact: true });
+  const asked = [];
+  page.on('request', (request) => request.method() === 'POST' && asked.push(request.url()));
+  for (const typed of ['1000', '1.5']) {
+    await courses.fill(typed);
+    for (const name of ['Check', 'Submit']) {
+      await page.getByRole('button', { name }).click();
+      await page.locator('.error-summary li', { hasText: `Courses is ${typed}, expected a whole number from 2 to 400` }).waitFor();
+      assert.equal(await page.getByText('The scene can be run.').count(), 0);
+    }
+    assert.equal(await courses.getAttribute('aria-invalid'), 'true');
+  }
+  assert.deepEqual(asked, []);
+  await page.getByLabel('Duration s').fill('0.25');
+  await page.getByLabel('Duration s').press('Enter');
+  await page.getByLabel('Stitch width mm').fill('2.8');
+  await page.getByLabel('Stitch width mm').press('Enter');
+  await page.getByLabel('Numerics').selectOption('accuracy');
+  await page.getByLabel('Numerics').selectOption('');
+  assert.equal(await courses.inputValue(), '1.5', 'what was typed stays until it is mended');
+  await page.locator('.error-summary a', { hasText: 'Courses is 1.5' }).click();
+  assert.equal(await page.evaluate(() => document.activeElement.ariaLabel), 'Courses');
+  await courses.fill('8');
+  await courses.press('Enter');
+  assert.equal(await page.locator('.error-summary').isVisible(), false);
+  await page.getByLabel('Wales', { exact: true }).fill('0');
+  await page.getByLabel('Wales', { exact: true }).press('Enter');
+  await page.locator('.error-summary li', { hasText: 'Wales is 0' }).waitFor();
+  await useJson(page, smallScene);
+  assert.equal(await page.locator('.error-summary').isVisible(), false, 'it was about another chart');
+  assert.equal(await page.getByLabel('Wales', { exact: true }).inputValue(), '6');
+  assert.deepEqual(faults, []);
+});
+
+const wrongPatterns = [
+  [{ chart: { rows: 'KK' } }, 'knit.chart.rows is "KK", expected rows of K and P', ['knit.chart', 'rows is "KK", expected an array']],
+  [{ chart: { rows: [null, null] } }, 'knit.chart.rows[0] is null, expected a row of K and P', ['knit.chart', 'rows[0] is null']],
+  [{ chart: 7 }, 'knit.chart is 7, expected an object', ['knit.chart', 'is 7, expected an object']],
+  [{ worked_rows: { rows: ['K', null] } }, 'knit.worked_rows.rows[1] is null, expected a row of K and P', ['knit', 'worked_rows.rows[1] is null']],
+  [{ preset: [] }, 'knit.preset is [], expected an object', ['knit', 'knit.preset is ']],
+];
+for (const [index, [pattern, why, [path, said]]] of wrongPatterns.entries()) {
+  test(`stitches that cannot be read are loaded, told of and checked: ${JSON.stringify(pattern)}`, async () => {
+    const { page, faults } = view;
+    const scene = JSON.stringify({ ...smallScene, name: `evil ${index}`, knit: { ...smallScene.knit, chart: undefined, ...pattern } });
+    if (index % 2 === 0) await loadFile(page, 'evil.json', scene);
+    else await useJson(page, scene);
+    await page.waitForFunction((name) => document.querySelector('#field-name').value === name, `evil ${index}`);
+    await page.getByText(`The stitches cannot be shown: ${why}`).waitFor();
+    assert.equal(await page.locator('canvas.chart').isVisible(), false, 'not the chart of another scene');
+    assert.equal(await page.getByText('The scene is as it was').count(), 0);
+    await page.getByRole('button', { name: 'Check' }).click();
+    await errorAt(page, path).getByText(said).waitFor();
+    if (index === 0) await shoot(page, 'chart-unreadable', { fullPage: true });
+    await page.getByRole('button', { name: 'Begin a new chart' }).click();
+    assert.equal(await page.locator('canvas.chart').isVisible(), true);
+    await page.getByRole('button', { name: 'Check' }).click();
+    await page.getByText('The scene can be run.').waitFor();
+    assert.deepEqual(faults, []);
+  });
+}
+
+test('the error of a group goes when a field in it changes', async () => {
+  const { page } = view;
+  await useJson(page, smallScene);
+  const spacing = page.getByLabel('Stitch width mm');
+  await spacing.fill('');
+  await spacing.press('Enter');
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'knit.gauge').getByText('expected either course_spacing_m').waitFor();
+  await spacing.fill('2.9');
+  await spacing.press('Enter');
+  assert.equal(await errorAt(page, 'knit.gauge').isVisible(), false);
+  assert.equal(await page.locator('.error-summary').isVisible(), false);
+});
+
+test('a comma between thousands is no number', async () => {
+  const { page } = view;
+  const radius = page.getByLabel('Radius mm').first();
+  await radius.fill('1,000');
+  await radius.press('Enter');
+  await errorAt(page, 'yarn.radius_m').getByText('is “1,000”, expected a number').waitFor();
+  await radius.fill('0,524');
+  await radius.press('Enter');
+  assert.equal(await page.locator('.error-summary').isVisible(), false);
 });

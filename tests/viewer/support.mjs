@@ -133,8 +133,8 @@ export function untilFrame(page, least) {
   return page.waitForFunction((index) => Number(document.querySelector('canvas.stage')?.dataset.frame ?? -1) >= index, least);
 }
 
-/// Parts of the picture's pixels that are yarn or bodies, and that are red and blue among them, how many different colours they have, and their mean. Read from
-/// a picture of the page, so that it is what a person sees.
+/// Parts of the picture's pixels that are yarn or bodies, and that are red and blue among them, how many different colours
+/// they have, their mean and the box around them in px. Read from a picture of the page, so that it is what a person sees.
 export async function pictureFacts(page) {
   const png = await page.locator('.stage-frame').screenshot();
   return page.evaluate(async (base64) => {
@@ -146,16 +146,19 @@ export async function pictureFacts(page) {
     const { data } = context.getImageData(0, 0, image.width, image.height);
     const colours = new Set();
     const sum = [0, 0, 0];
+    const box = [Infinity, Infinity, -Infinity, -Infinity];
     let [covered, reds, blues] = [0, 0, 0];
     for (let i = 0; i < data.length; i += 4) {
       const [r, g, b] = data.subarray(i, i + 3);
       if (Math.max(r, g, b) - Math.min(r, g, b) < 24) continue;  // the background is grey
       covered += 1;
+      const [x, y] = [(i / 4) % image.width, Math.floor(i / 4 / image.width)];
+      box.splice(0, 4, Math.min(box[0], x), Math.min(box[1], y), Math.max(box[2], x), Math.max(box[3], y));
       if (r > b + 60) reds += 1;
       if (b > r + 40) blues += 1;
       [r, g, b].forEach((value, channel) => { sum[channel] += value; });
       colours.add((r >> 4) * 256 + (g >> 4) * 16 + (b >> 4));
     }
-    return { covered: covered / (data.length / 4), reds: reds / (data.length / 4), blues: blues / (data.length / 4), colours: colours.size, mean: sum.map((value) => value / Math.max(covered, 1)) };
+    return { covered: covered / (data.length / 4), reds: reds / (data.length / 4), blues: blues / (data.length / 4), colours: colours.size, box, mean: sum.map((value) => value / Math.max(covered, 1)) };
   }, png.toString('base64'));
 }

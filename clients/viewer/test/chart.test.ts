@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { chartFromText, copyRows, courseOfRow, paint, paintLine, pasteRows, repeat, repeatProblem, resize, sizeProblem, swapStitches } from '../src/chart/chart';
 import { chartOfKnit } from '../src/chart/knit_chart';
 import { presetChart } from '../src/chart/presets';
+import type { Json } from '../src/scene/field';
 
 describe('chart', () => {
   const chart = ['KPK', 'KKK', 'PPP'];
@@ -24,7 +25,7 @@ describe('chart', () => {
   it('says which sizes there can be', () => {
     expect(['2', '400'].map(sizeProblem)).toEqual([undefined, undefined]);
     expect(sizeProblem('')).toBe('is empty, expected a whole number from 2 to 400');
-    for (const typed of ['0', '-3', '1', '401', '2.5', '1e9', 'x']) expect(sizeProblem(typed)).toMatch(`is ${typed}, expected a whole number from 2 to 400`);
+    for (const typed of ['0', '-3', '1', '401', '2.5', '1e9', 'x', '0x10', '1,000', '1 0']) expect(sizeProblem(typed)).toMatch(`is ${typed}, expected a whole number from 2 to 400`);
   });
   it('says how often there is room', () => {
     expect(['1', '40'].map((typed) => repeatProblem(typed, 10))).toEqual([undefined, undefined]);
@@ -65,9 +66,28 @@ describe('chartOfKnit', () => {
     expect(chartOfKnit({ worked_rows: { rows: ['KPP', 'KKP'] } })).toEqual(['PPK', 'PPK']);
     expect(chartOfKnit({ worked_rows: { rows: ['KPP', 'KKP'] }, in_the_round: true })).toEqual(['PKK', 'PPK']);
   });
-  it('knows what it cannot draw', () => {
-    expect(chartOfKnit({ chart: { rows: ['KQ', 'KK'] } })).toBeUndefined();
-    expect(chartOfKnit({ preset: { name: 'rib', courses: 1e9, wales: 3 } })).toBeUndefined();
-    expect(chartOfKnit(undefined)).toBeUndefined();
+  it.each<[Json | undefined, string]>([
+    [{ chart: { rows: ['KQ', 'KK'] } }, 'knit.chart.rows[0] has Q at stitch 2, expected K or P'],
+    [{ chart: { rows: ['KK', 'KKK'] } }, 'knit.chart.rows[1] has 3 stitches, expected 2 as in the first row'],
+    [{ chart: { rows: ['', ''] } }, 'knit.chart.rows[0] has no stitch'],
+    [{ chart: { rows: [] } }, 'knit.chart has no rows'],
+    [{ chart: {} }, 'knit.chart has no rows'],
+    [{ chart: { rows: 'KK' } }, 'knit.chart.rows is "KK", expected rows of K and P'],
+    [{ chart: { rows: [null, null] } }, 'knit.chart.rows[0] is null, expected a row of K and P'],
+    [{ chart: null }, 'knit.chart is null, expected an object'],
+    [{ worked_rows: { rows: ['K', null] } }, 'knit.worked_rows.rows[1] is null, expected a row of K and P'],
+    [{ worked_rows: 'KK' }, 'knit.worked_rows is "KK", expected an object'],
+    [{ preset: { name: 'rib', courses: 1e9, wales: 3 } }, 'knit.preset.courses is 1000000000, expected a whole number from 1 to 400'],
+    [{ preset: { name: 'rib', courses: 2, wales: '3' } }, 'knit.preset.wales is "3", expected a whole number from 1 to 400'],
+    [{ preset: { name: 'rib', courses: 2, wales: 3, rib_purls: {} } }, 'knit.preset.rib_purls is {}, expected a whole number'],
+    [{ preset: { name: 7, courses: 2, wales: 3 } }, 'knit.preset.name is 7, expected a name'],
+    [{ preset: { name: 'cable', courses: 2, wales: 3 } }, 'knit.preset.name is "cable", expected stockinette,'],
+    [{ preset: [] }, 'knit.preset is [], expected an object'],
+    [{}, 'knit has no chart, preset or worked_rows'],
+    [3, 'knit is 3, expected an object'],
+    [undefined, 'there is no knit'],
+  ])('says why it cannot draw %j', (knit, why) => {
+    const chart = chartOfKnit(knit);
+    expect(typeof chart === 'string' && chart.startsWith(why) ? why : chart).toBe(why);
   });
 });

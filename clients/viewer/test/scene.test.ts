@@ -4,7 +4,8 @@ import { describe, expect, it } from 'vitest';
 import { effectEntries } from '../src/scene/effect_fields';
 import type { Field } from '../src/scene/field';
 import { join, valueAt, withValue } from '../src/scene/json_path';
-import { numberText, parseNumber, parseWhole, shortNumber } from '../src/scene/number_text';
+import { numberText, parseNumber, parseNumbers, parseWhole, shortNumber } from '../src/scene/number_text';
+import { inFieldUnit } from '../src/scene/field_unit';
 import { freshScene, readScene, sceneText } from '../src/scene/scene_file';
 import { sceneField } from '../src/scene/scene_fields';
 
@@ -102,13 +103,39 @@ describe('numbers', () => {
     expect(parseNumber(' 1,5 ', 1)).toBe(1.5);
     expect(parseNumber('', 1)).toBeUndefined();
   });
-  it.each(['x', '1 2', '0x10', 'NaN', '1e999', '--1'])('%s is none', (text) => expect(() => parseNumber(text, 1)).toThrow(/expected a number/));
+  it('take a comma for a point where it cannot stand between thousands', () => {
+    expect(['0,524', '1,25', '1,0000', '1000,125', '-0,001', '1e3', ' 7 '].map((text) => parseNumber(text, 1))).toEqual([0.524, 1.25, 1, 1000.125, -0.001, 1000, 7]);
+  });
+  it.each(['x', '1 2', '0x10', 'NaN', '1e999', '--1', '1,000', '-12,500', '+1,000e3', '1,000,000', '1,000.5', '1.000,5', '1 000', '1e', 'Infinity', '1_000'])('%s is none', (text) => expect(() => parseNumber(text, 1)).toThrow(/expected a number/));
+  it('say what was typed', () => expect(() => parseNumber(' 1,000 ', 1)).toThrow('is “1,000”, expected a number'));
+  it('in a row are parted by spaces or commas', () => {
+    expect(parseNumbers(' 0, 0.05,1e3\n-2 0 ')).toEqual([0, 0.05, 1000, -2, 0]);
+    expect(parseNumbers('100,200,300')).toEqual([100, 200, 300]);
+    expect(parseNumbers(' ')).toEqual([]);
+    for (const [text, wrong] of [['1,000', '000'], ['1 x', 'x'], ['2 0x10', '0x10'], ['1;2', '1;2']]) expect(() => parseNumbers(text)).toThrow(`has “${wrong}”, expected numbers`);
+  });
   it('are whole where they must be', () => expect(() => parseWhole('1.5')).toThrow(/whole/));
   it('keep every digit of whole numbers', () => {
     expect(['', '42', '18446744073709551615', '-9007199254740993'].map(parseWhole)).toEqual([undefined, 42, '18446744073709551615', '-9007199254740993']);
     expect(() => parseWhole('1e19')).toThrow(/all digits/);
   });
   it('are short for reading', () => expect([0, 1.23456, -0.00012, 123456, NaN].map(shortNumber)).toEqual(['0', '1.23', '-1.20e-4', '1.23e5', '–']));
+});
+
+describe('errors at fields', () => {
+  const radius = 'effects.colliders.colliders[0].sphere.radius_m';
+  it.each([
+    ['yarn.radius_m', 'is -0.001, expected a finite number > 0', 'is -1 mm, expected a finite number > 0 mm'],
+    [radius, 'is 0, expected a finite number > 0', 'is 0 mm, expected a finite number > 0 mm'],
+    ['fixed.time_step_s', 'is 1e-07, expected a finite number >= 0.0025', 'is 0.0001 ms, expected a finite number >= 2.5 ms'],
+    ['effects.colliders.colliders[1].box.half_size_m', 'is -0.001, expected three numbers > 0', 'is -1 mm, expected three numbers > 0 mm'],
+    ['fixed.time_step_s', 'is 0.001, expected at most 0.01 of all', 'is 0.001 (1 ms), expected at most 0.01 of all'],
+    ['yarn.radius_m', 'is nan, expected a finite number > 0', 'is nan, expected a finite number > 0'],
+    ['yarn.radius_m', 'is “-1x”, expected a number', 'is “-1x”, expected a number'],
+    ['yarn.stretch_n', 'is -1, expected a finite number > 0', 'is -1, expected a finite number > 0'],
+    ['knit.chart', 'is 3, expected an object', 'is 3, expected an object'],
+    ['nowhere', 'is 3, expected nothing', 'is 3, expected nothing'],
+  ])('are in their unit: %s %s', (path, said, shown) => expect(inFieldUnit(path, said)).toBe(shown));
 });
 
 describe('scene files', () => {

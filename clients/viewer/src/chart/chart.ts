@@ -41,16 +41,21 @@ export function paintLine(chart: Chart, from: Cell, to: Cell, letter: StitchLett
   return painted;
 }
 
+/// The number that was typed into a field of whole numbers, NaN where it is none.
+function typedNumber(typed: string): number {
+  return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(typed.trim()) ? Number(typed) : NaN;
+}
+
 /// What is wrong with a number of courses or wales as typed; undefined: nothing.
 export function sizeProblem(typed: string): string | undefined {
-  const [count, expected] = [Number(typed), `expected a whole number from ${smallestChart} to ${largestChart}`];
+  const [count, expected] = [typedNumber(typed), `expected a whole number from ${smallestChart} to ${largestChart}`];
   if (typed.trim() === '') return `is empty, ${expected}`;
   return Number.isInteger(count) && count >= smallestChart && count <= largestChart ? undefined : `is ${typed.trim()}, ${expected}`;
 }
 
 /// What is wrong with how often a length of `count` is repeated, as typed; undefined: nothing.
 export function repeatProblem(typed: string, count: number): string | undefined {
-  const [times, most] = [Number(typed), Math.max(1, Math.floor(largestChart / count))];
+  const [times, most] = [typedNumber(typed), Math.max(1, Math.floor(largestChart / count))];
   const expected = `expected a whole number from 1 to ${most}, as a chart has at most ${largestChart}`;
   if (typed.trim() === '') return `is empty, ${expected}`;
   return Number.isInteger(times) && times >= 1 && times <= most ? undefined : `is ${typed.trim()}, ${expected}`;

@@ -27,6 +27,8 @@ export function presetChart(preset: KnitPreset): Chart {
   });
 }
 
+export const presetNames = ['stockinette', 'reverse_stockinette', 'garter', 'rib', 'seed'];
+
 /// What the editor offers, by label.
 export const presetMenu: { label: string; name: string; ribKnits: number; ribPurls: number }[] = [
   { label: 'Stockinette', name: 'stockinette', ribKnits: 1, ribPurls: 1 },

@@ -66,6 +66,10 @@ export class FabricView {
     this.stage.orbit(around, upwards, zoom);
   }
 
+  pan(right: number, up: number): void {
+    this.stage.pan(right, up);
+  }
+
   /// The visit drawn at a place of the window, -1: none.
   visitAt(clientX: number, clientY: number): number {
     const slack = 3 * this.stage.pixelSize;

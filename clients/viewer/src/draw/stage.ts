@@ -35,8 +35,9 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.scene.add(new THREE.HemisphereLight('#ffffff', '#8a8078', 1.4), this.light);
     this.controls = new OrbitControls(this.camera, canvas);
-    // One finger sideways turns; upwards it scrolls the page, which the picture may fill. Two turn, tilt and zoom.
-    this.controls.touches = { ONE: THREE.TOUCH.ROTATE, TWO: THREE.TOUCH.DOLLY_ROTATE };
+    // One finger that sets out sideways turns and tilts; upwards it scrolls the page, which the picture may fill. Two move
+    // and zoom.
+    this.controls.touches = { ONE: THREE.TOUCH.ROTATE, TWO: THREE.TOUCH.DOLLY_PAN };
     canvas.style.touchAction = 'pan-y';
     this.controls.addEventListener('change', () => this.invalidate());
     this.controls.addEventListener('start', () => { this.moved = true; });
@@ -122,6 +123,17 @@ export class Stage {
     place.phi = Math.min(Math.max(place.phi + upwards, 0.02), Math.PI - 0.02);
     place.radius *= zoom;
     this.camera.position.copy(this.controls.target).add(new THREE.Vector3().setFromSpherical(place));
+    this.controls.update();
+    this.invalidate();
+  }
+
+  /// Moves what is looked at by parts of the picture's height: for keys.
+  pan(right: number, up: number): void {
+    this.moved = true;
+    const height = this.camera.position.distanceTo(this.controls.target) * 2 * Math.tan((this.camera.fov * Math.PI) / 360);
+    const by = new THREE.Vector3(-right * height, -up * height, 0).applyQuaternion(this.camera.quaternion);
+    this.camera.position.add(by);
+    this.controls.target.add(by);
     this.controls.update();
     this.invalidate();
   }

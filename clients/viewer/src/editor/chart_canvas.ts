@@ -12,6 +12,11 @@ export interface ChartLook {
 
 const margin = { side: 30, bottom: 20, top: 2 };
 
+/// Where a cell begins in the picture, in px.
+export function placeOfCell({ cell, left }: ChartLayout, { row, column }: Cell): { x: number; y: number } {
+  return { x: left + column * cell, y: margin.top + row * cell };
+}
+
 export interface ChartLayout {
   cell: number;  // px
   left: number;
@@ -61,46 +66,144 @@ function drawNumbers(context: CanvasRenderingContext2D, look: ChartLook, layout:
   }
 }
 
-export function drawChart(canvas: HTMLCanvasElement, look: ChartLook, layout: ChartLayout): void {
-  const { chart, cursor, rows, focused } = look;
+const colourNames = ['--chart-knit', '--chart-chosen', '--chart-purl', '--chart-ink', '--chart-line', '--ink-soft', '--accent'] as const;
+type Colours = Record<(typeof colourNames)[number], string>;
+
+function coloursOf(canvas: HTMLCanvasElement): Colours {
+  const style = getComputedStyle(canvas);
+  return Object.fromEntries(colourNames.map((name) => [name, style.getPropertyValue(name).trim()])) as Colours;
+}
+
+/// All that a drawn chart depends on.
+export interface DrawnChart {
+  look: ChartLook;
+  layout: ChartLayout;
+  ratio: number;  // device pixels a px
+  colours: Colours;
+}
+
+/// First and last row, from the top.
+type Band = readonly [number, number];
+
+function drawSquares(context: CanvasRenderingContext2D, { look, layout, colours }: DrawnChart, [first, last]: Band): void {
+  const { chart, rows } = look;
   const { cell, left } = layout;
-  const ratio = window.devicePixelRatio || 1;
+  const [columns, top] = [width(chart), margin.top + first * cell];
+  context.fillStyle = colours['--chart-knit'];
+  context.fillRect(left, top, cell * columns, (last - first + 1) * cell);
+  const chosen = [Math.max(rows[0], first), Math.min(rows[1], last)];
+  context.fillStyle = colours['--chart-chosen'];
+  if (chosen[0] <= chosen[1]) context.fillRect(left - 3, margin.top + chosen[0] * cell, cell * columns + 6, (chosen[1] - chosen[0] + 1) * cell);
+  const radius = Math.max(1.2, cell * 0.17);
+  for (let row = first; row <= last; ++row) {
+    const y = margin.top + row * cell;
+    // A path a row: one for each square costs seconds on a large chart.
+    const [squares, dots] = [new Path2D(), new Path2D()];
+    for (const { index, 0: purls } of chart[row].matchAll(/P+/g)) {
+      squares.rect(left + index * cell, y, purls.length * cell, cell);
+      for (let column = index; column < index + purls.length; ++column) {
+        const [x, centre] = [left + (column + 0.5) * cell, y + 0.5 * cell];
+        dots.moveTo(x + radius, centre);
+        dots.arc(x, centre, radius, 0, 2 * Math.PI);
+      }
+    }
+    context.fillStyle = colours['--chart-purl'];
+    context.fill(squares);
+    context.fillStyle = colours['--chart-ink'];
+    context.fill(dots);
+  }
+}
+
+function drawLines(context: CanvasRenderingContext2D, { look, layout, colours }: DrawnChart, [first, last]: Band): void {
+  const { cell, left } = layout;
+  const columns = width(look.chart);
+  const [top, bottom] = [margin.top + first * cell, margin.top + (last + 1) * cell];
+  context.strokeStyle = colours['--chart-line'];
+  context.lineWidth = 1;
+  context.beginPath();
+  for (let row = first; row <= last + 1; ++row) {
+    context.moveTo(left, margin.top + row * cell + 0.5);
+    context.lineTo(left + cell * columns, margin.top + row * cell + 0.5);
+  }
+  for (let column = 0; column <= columns; ++column) {
+    context.moveTo(left + column * cell + 0.5, top);
+    context.lineTo(left + column * cell + 0.5, bottom);
+  }
+  context.stroke();
+}
+
+function drawCursor(context: CanvasRenderingContext2D, { look, layout, colours }: DrawnChart): void {
+  const { cursor, focused } = look;
+  const { cell, left } = layout;
+  context.strokeStyle = focused ? colours['--accent'] : colours['--ink-soft'];
+  context.lineWidth = focused ? 3 : 1.5;
+  context.strokeRect(left + cursor.column * cell + 1, margin.top + cursor.row * cell + 1, cell - 1, cell - 1);
+}
+
+/// The part of the picture that rows own, on whole device pixels, with what the cursor and chosen rows draw beside them.
+function clipTo(context: CanvasRenderingContext2D, { look, layout, ratio }: DrawnChart, [first, last]: Band): void {
+  const { cell, left } = layout;
+  const top = first === 0 ? 0 : margin.top + first * cell;
+  const bottom = margin.top + (last + 1) * cell + (last === look.chart.length - 1 ? 4 : 0);
+  const [x, y] = [Math.floor((left - 3) * ratio) / ratio, Math.floor(top * ratio) / ratio];
+  const [right, end] = [Math.ceil((left + cell * width(look.chart) + 4) * ratio) / ratio, Math.ceil(bottom * ratio) / ratio];
+  context.beginPath();
+  context.rect(x, y, right - x, end - y);
+  context.clip();
+  context.clearRect(x, y, right - x, end - y);
+}
+
+/// Runs of rows that are not as they were drawn; the cursor's line reaches into the rows beside it.
+function changedBands({ look }: DrawnChart, { look: before }: DrawnChart): Band[] {
+  const chosen = ({ rows }: ChartLook, row: number): boolean => row >= rows[0] && row <= rows[1];
+  const moved = look.cursor.row !== before.cursor.row || look.cursor.column !== before.cursor.column || look.focused !== before.focused;
+  const nearCursor = (row: number): boolean => Math.min(Math.abs(row - look.cursor.row), Math.abs(row - before.cursor.row)) <= 1;
+  const bands: [number, number][] = [];
+  for (let row = 0; row < look.chart.length; ++row) {
+    if (look.chart[row] === before.chart[row] && chosen(look, row) === chosen(before, row) && !(moved && nearCursor(row))) continue;
+    if (bands.length > 0 && bands[bands.length - 1][1] === row - 1) bands[bands.length - 1][1] = row;
+    else bands.push([row, row]);
+  }
+  return bands;
+}
+
+function isOtherPicture(now: DrawnChart, before: DrawnChart): boolean {
+  const frame = ({ look, layout, ratio, colours }: DrawnChart): string =>
+    JSON.stringify([look.chart.length, width(look.chart), look.inTheRound, layout, ratio, colours]);
+  return frame(now) !== frame(before);
+}
+
+function drawAll(canvas: HTMLCanvasElement, context: CanvasRenderingContext2D, now: DrawnChart): void {
+  const { look, layout, ratio, colours } = now;
   canvas.width = Math.round(layout.width * ratio);
   canvas.height = Math.round(layout.height * ratio);
   canvas.style.width = `${layout.width}px`;
   canvas.style.height = `${layout.height}px`;
-  const context = canvas.getContext('2d');
-  if (!context) return;
-  const style = getComputedStyle(canvas);
-  const colour = (name: string): string => style.getPropertyValue(name).trim();
   context.scale(ratio, ratio);
-  context.fillStyle = colour('--chart-knit');
-  context.fillRect(left, margin.top, cell * width(chart), cell * chart.length);
-  context.fillStyle = colour('--chart-chosen');
-  context.fillRect(left - 3, margin.top + rows[0] * cell, cell * width(chart) + 6, (rows[1] - rows[0] + 1) * cell);
-  chart.forEach((letters, row) => [...letters].forEach((letter, column) => {
-    if (letter !== 'P') return;
-    context.fillStyle = colour('--chart-purl');
-    context.fillRect(left + column * cell, margin.top + row * cell, cell, cell);
-    context.fillStyle = colour('--chart-ink');
-    context.beginPath();
-    context.arc(left + (column + 0.5) * cell, margin.top + (row + 0.5) * cell, Math.max(1.2, cell * 0.17), 0, 2 * Math.PI);
-    context.fill();
-  }));
-  context.strokeStyle = colour('--chart-line');
-  context.lineWidth = 1;
-  context.beginPath();
-  for (let row = 0; row <= chart.length; ++row) {
-    context.moveTo(left, margin.top + row * cell + 0.5);
-    context.lineTo(left + cell * width(chart), margin.top + row * cell + 0.5);
+  const all: Band = [0, look.chart.length - 1];
+  drawSquares(context, now, all);
+  drawLines(context, now, all);
+  drawNumbers(context, look, layout, colours['--ink-soft']);
+  drawCursor(context, now);
+}
+
+/// `before`: what the canvas shows; only rows that differ from it are drawn. The answer is what it shows now.
+export function drawChart(canvas: HTMLCanvasElement, look: ChartLook, layout: ChartLayout, before: DrawnChart | undefined): DrawnChart {
+  const now: DrawnChart = { look, layout, ratio: window.devicePixelRatio || 1, colours: coloursOf(canvas) };
+  const context = canvas.getContext('2d');
+  if (!context) return now;
+  if (!before || isOtherPicture(now, before)) {
+    drawAll(canvas, context, now);
+    return now;
   }
-  for (let column = 0; column <= width(chart); ++column) {
-    context.moveTo(left + column * cell + 0.5, margin.top);
-    context.lineTo(left + column * cell + 0.5, margin.top + cell * chart.length);
+  for (const band of changedBands(now, before)) {
+    context.save();
+    clipTo(context, now, band);
+    const around: Band = [Math.max(band[0] - 1, 0), Math.min(band[1] + 1, look.chart.length - 1)];
+    drawSquares(context, now, around);
+    drawLines(context, now, around);
+    drawCursor(context, now);
+    context.restore();
   }
-  context.stroke();
-  drawNumbers(context, look, layout, colour('--ink-soft'));
-  context.strokeStyle = focused ? colour('--accent') : colour('--ink-soft');
-  context.lineWidth = focused ? 3 : 1.5;
-  context.strokeRect(left + cursor.column * cell + 1, margin.top + cursor.row * cell + 1, cell - 1, cell - 1);
+  return now;
 }

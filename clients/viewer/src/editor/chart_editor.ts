@@ -2,7 +2,7 @@
 import { copyRows, courseOfRow, paint, paintLine, pasteRows, width, type Cell, type Chart, type StitchLetter } from '../chart/chart';
 import { h } from '../ui/dom';
 import { dark } from '../ui/theme';
-import { cellAt, drawChart, layoutOf } from './chart_canvas';
+import { cellAt, drawChart, layoutOf, placeOfCell, type DrawnChart } from './chart_canvas';
 
 export interface ChartEditor {
   element: HTMLElement;
@@ -19,16 +19,18 @@ const moves: Record<string, [number, number]> = { ArrowUp: [-1, 0], ArrowDown: [
 export function chartEditor(changed: (chart: Chart) => void, undo: () => void): ChartEditor {
   const state = {
     chart: ['KK', 'KK'] as Chart, inTheRound: false, cursor: { row: 1, column: 0 } as Cell, anchor: 1,
-    brush: undefined as StitchLetter | undefined, copied: [] as Chart,
+    brush: undefined as StitchLetter | undefined, copied: [] as Chart, drawn: undefined as DrawnChart | undefined, pressed: false,
   };
   const canvas = h('canvas', { class: 'chart', tabindex: 0, role: 'application', 'aria-roledescription': 'knitting chart', 'aria-describedby': 'chart-keys' });
   const spoken = h('p', { class: 'chart-status', role: 'status' });
-  const frame = h('div', { class: 'chart-frame' }, canvas);
+  const cursor = h('span', { class: 'chart-cursor' });  // what scrolls into sight: a canvas is one thing to the browser
+  const frame = h('div', { class: 'chart-frame' }, h('div', { class: 'chart-sheet' }, canvas, cursor));
   const rows = (): [number, number] => [Math.min(state.anchor, state.cursor.row), Math.max(state.anchor, state.cursor.row)];
 
   const draw = (): void => {
     const layout = layoutOf(state.chart, frame.clientWidth || 320);
-    drawChart(canvas, { ...state, rows: rows(), focused: document.activeElement === canvas }, layout);
+    const { chart, inTheRound } = state;
+    state.drawn = drawChart(canvas, { chart, inTheRound, cursor: state.cursor, rows: rows(), focused: document.activeElement === canvas }, layout, state.drawn);
     const kind = state.chart[state.cursor.row]?.[state.cursor.column] === 'P' ? 'purl' : 'knit';
     const [top, bottom] = rows();
     const chosen = top === bottom ? '' : `; courses ${courseOfRow(state.chart, bottom)} to ${courseOfRow(state.chart, top)} chosen`;
@@ -37,6 +39,12 @@ export function chartEditor(changed: (chart: Chart) => void, undo: () => void): 
     canvas.setAttribute('aria-label', `Chart of ${state.chart.length} courses and ${width(state.chart)} wales`);
     // For tests and helpers that cannot see squares.
     Object.assign(canvas.dataset, { cell: layout.cell, left: layout.left, courses: state.chart.length, wales: width(state.chart) });
+  };
+  const revealCursor = (): void => {
+    const layout = layoutOf(state.chart, frame.clientWidth || 320);
+    const { x, y } = placeOfCell(layout, state.cursor);
+    Object.assign(cursor.style, { left: `${x}px`, top: `${y}px`, width: `${layout.cell}px`, height: `${layout.cell}px` });
+    cursor.scrollIntoView({ block: 'nearest', inline: 'nearest' });
   };
   const give = (chart: Chart): void => {
     if (chart === state.chart) return draw();
@@ -64,7 +72,9 @@ export function chartEditor(changed: (chart: Chart) => void, undo: () => void): 
 
   canvas.addEventListener('pointerdown', (event) => {
     const { cell, inside } = place(event);
-    canvas.focus();
+    state.pressed = true;  // on what is in sight
+    canvas.focus({ preventScroll: true });
+    state.pressed = false;
     event.preventDefault();
     moveTo(cell.row, cell.column, event.shiftKey);
     if (!inside || event.shiftKey) return;
@@ -104,9 +114,14 @@ export function chartEditor(changed: (chart: Chart) => void, undo: () => void): 
     } else {
       return;
     }
+    revealCursor();
     event.preventDefault();
   });
-  canvas.addEventListener('focus', draw);
+  canvas.addEventListener('focus', () => {
+    draw();
+    // The browser scrolls to the whole canvas first.
+    if (!state.pressed) requestAnimationFrame(() => document.activeElement === canvas && revealCursor());
+  });
   canvas.addEventListener('blur', draw);
   const observer = new ResizeObserver(draw);
   observer.observe(frame);
@@ -116,9 +131,8 @@ export function chartEditor(changed: (chart: Chart) => void, undo: () => void): 
     const otherSize = chart.length !== state.chart.length || width(chart) !== width(state.chart);
     Object.assign(state, { chart, inTheRound });
     if (otherSize) Object.assign(state, { cursor: { row: chart.length - 1, column: 0 }, anchor: chart.length - 1 });
-    moveTo(state.cursor.row, state.cursor.column, true);
     state.anchor = Math.min(state.anchor, chart.length - 1);
-    draw();
+    moveTo(state.cursor.row, state.cursor.column, true);
   };
   return {
     element: h('div', { class: 'chart-editor' }, frame, spoken), canvas, show, copy, paste,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import { fieldErrors, type FieldError } from '../api/field_errors';
+import { fieldErrors, pathAndAncestors, type FieldError } from '../api/field_errors';
 import { ApiError } from '../api/api_error';
 import { jobId } from '../api/messages';
 import { artefactText, createSimJob } from '../api/sim_jobs';
@@ -52,7 +52,8 @@ export function editorPage(copyOf?: string): Page {
   const context: FormContext = {
     scene: () => model.scene.value,
     set: (path, value, structural) => {
-      model.errors.set(model.errors.value.filter((error) => error.path !== path && !error.path.startsWith(`${path}.`)));
+      const around = pathAndAncestors(path);  // an error of a group is about the fields in it
+      model.errors.set(model.errors.value.filter((error) => error.path === '' || !(around.includes(error.path) || /^[.[]/.test(error.path.slice(path.length)) && error.path.startsWith(path))));
       model.set(path, value);
       if (structural) drawForm();
       else showAll();
@@ -64,9 +65,13 @@ export function editorPage(copyOf?: string): Page {
       showAll();
     },
   };
-  const chart = chartPanel((knit) => context.set('knit', knit, knit === undefined || !isObject(model.scene.value.knit)), () => {
-    model.undo();
-    drawForm();
+  const chart = chartPanel({
+    changed: (knit) => context.set('knit', knit, knit === undefined || !isObject(model.scene.value.knit)),
+    undo: () => {
+      model.undo();
+      drawForm();
+    },
+    complain: context.complain,
   });
   const json = jsonPanel(() => sceneText(model.scene.value), (scene) => load(scene));
 
@@ -74,7 +79,7 @@ export function editorPage(copyOf?: string): Page {
   function drawForm(): void {
     const focused = document.activeElement;
     const key = focused instanceof HTMLElement && element.contains(focused) ? focused.id || focused.dataset.focus : undefined;
-    for (const path of [...model.typed.keys()]) if (!path.includes('.')) model.typed.delete(path);
+    for (const path of [...model.typed.keys()]) if (!chart.typed.includes(path)) model.typed.delete(path);  // the text goes with its field
     const form = sceneForm(context, open);
     formFrame.replaceChildren(form.main);
     besideFrame.replaceChildren(form.beside);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { placeOf, type FieldError } from '../api/field_errors';
+import { inFieldUnit } from '../scene/field_unit';
 import { h } from '../ui/dom';
 
 /// Fields without which nothing can be run, and that are empty.
@@ -18,7 +19,7 @@ function clear(form: HTMLElement): void {
 }
 
 function markInvalid(place: HTMLElement): void {
-  const controls = place.classList.contains('field') || place.classList.contains('effect')
+  const controls = /(^| )(field|effect|size)( |$)/.test(place.className)
     ? place.querySelectorAll<HTMLElement>(':scope > input, :scope > select, :scope > textarea, :scope > .vector > input, :scope > .effect-head > input')
     : [];
   for (const control of controls) control.setAttribute('aria-invalid', 'true');
@@ -43,7 +44,7 @@ export function showErrors(form: HTMLElement, summary: HTMLElement, errors: read
     if (!place) return h('li', {}, text);
     const shown = place.querySelector<HTMLElement>(':scope > .field-error');
     if (shown) {
-      const line = found === path ? message : text;
+      const line = found === path ? inFieldUnit(path, message) : text;
       shown.textContent = shown.textContent ? `${shown.textContent}; ${line}` : line;
       shown.hidden = false;
     }

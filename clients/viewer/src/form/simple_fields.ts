@@ -2,7 +2,7 @@
 // Inputs of single values.
 import type { Field, Json, NumberField, VectorField } from '../scene/field';
 import { valueAt } from '../scene/json_path';
-import { numberText, parseNumber, parseWhole } from '../scene/number_text';
+import { numberText, parseNumber, parseNumbers, parseWhole } from '../scene/number_text';
 import { h, type Child } from '../ui/dom';
 import { fieldId, type FormContext } from './form_context';
 
@@ -70,7 +70,7 @@ export function numbersInput(context: FormContext, label: string, hint: string, 
   area.value = Array.isArray(present) ? present.map((value) => shownNumber(value, 1)).join(' ') : '';
   area.addEventListener('change', () => {
     try {
-      const values = area.value.split(/[\s,]+/).filter((word) => word !== '').map((word) => parseNumber(word, 1) as number);
+      const values = parseNumbers(area.value);
       context.set(path, values.length === 0 ? undefined : values, false);
       context.complain(path, undefined);
     } catch (error) {

@@ -21,12 +21,12 @@ export function jobHead(model: JobModel): HTMLElement {
   const trouble = h('p', { class: 'status', role: 'status' });
   const fault = h('p', { class: 'error-box', role: 'alert', hidden: true });
   const say = (error: unknown): void => model.fault.set(error instanceof Error ? error.message : String(error));
-  const cancel = button('Cancel', () => void cancelSimJob(model.id).then((job) => model.learn(job), say));
+  const cancel = button('Cancel', () => void cancelSimJob(model.id).then((job) => model.learn(job), say), { hidden: true });
   const remove = button('Delete', () => {
     if (!window.confirm('Delete this job and its frames?')) return;
     deleteSimJob(model.id).then(() => { location.hash = '#/jobs'; }, say);
-  });
-  const again = h('a', { class: 'button', href: `#/new/${model.id}` }, 'Edit a copy');
+  }, { hidden: true });
+  const again = h('a', { class: 'button', href: `#/new/${model.id}`, hidden: true }, 'Edit a copy');
 
   const showJob = (): void => {
     const job = model.job.value;

@@ -19,14 +19,17 @@ export function jobListPage(): Page {
   const stop = new AbortController();
   const status = h('p', { class: 'status', role: 'status' });
   const rows = h('tbody');
-  const more = button('Older jobs', () => void load(true), { hidden: true });
-  const view = { state: '', next: '', jobs: [] as SimJob[], drawn: '' };
+  const more = button('Older jobs', () => {
+    view.pages += 1;
+    void attempt(Promise.resolve());
+  }, { hidden: true });
+  const view = { state: '', pages: 1, loads: 0, jobs: [] as SimJob[], drawn: '' };
 
   const attempt = async (what: Promise<unknown>): Promise<void> => {
     try {
       await what;
       status.textContent = '';
-      await load(false);
+      await load();
     } catch (error) {
       status.textContent = error instanceof ApiError ? error.message : String(error);
     }
@@ -53,19 +56,27 @@ export function jobListPage(): Page {
     if (view.jobs.length === 0) rows.append(h('tr', {}, h('td', { colspan: 5 }, 'No jobs here yet.')));
   };
 
-  async function load(older: boolean): Promise<void> {
-    const answer = await listSimJobs(older ? view.next : '', view.state);
-    const jobs = answer.jobs ?? [];
-    const known = new Set(jobs.map((job) => job.name));
-    if (older || view.jobs.length <= jobs.length) view.next = answer.next_page_token ?? '';
-    view.jobs = older ? [...view.jobs, ...jobs] : view.jobs.length > 50 ? [...jobs, ...view.jobs.slice(jobs.length).filter((job) => !known.has(job.name))] : jobs;
-    more.hidden = view.next === '';
+  /// All pages shown, from the newest job on. Of loads that overlap the one that began last counts.
+  async function load(): Promise<void> {
+    view.loads += 1;
+    const mine = view.loads;
+    const jobs = new Map<string, SimJob>();
+    let token = '';
+    for (let page = 0; page < view.pages; ++page) {
+      const answer = await listSimJobs(token, view.state);
+      if (mine !== view.loads) return;
+      for (const job of answer.jobs ?? []) jobs.set(jobId(job), job);
+      token = answer.next_page_token ?? '';
+      if (token === '') break;
+    }
+    view.jobs = [...jobs.values()];
+    more.hidden = token === '';
     draw();
   }
 
   void askWhileSeen(async () => {
     try {
-      await load(false);
+      await load();
       if (status.textContent?.startsWith('the server cannot')) status.textContent = '';
     } catch (error) {
       status.textContent = error instanceof Error ? error.message : String(error);
@@ -74,7 +85,7 @@ export function jobListPage(): Page {
   }, () => refreshMs, stop.signal);
 
   const filter = select('Show', states, '', (state) => {
-    Object.assign(view, { state, jobs: [], next: '', drawn: '' });
+    Object.assign(view, { state, pages: 1 });
     void attempt(Promise.resolve());
   });
   const table = h('table', { class: 'jobs' },

@@ -23,6 +23,7 @@ export class JobModel {
   readonly trouble = new Signal<string>('');   // with the stream of frames; it is being seen to
   readonly lost = new Signal<string>('');      // likewise, with the server
   readonly gone = new Signal(false);           // the job is no longer on the server
+  readonly missing = new Signal(false);        // the server never had it, as far as this page knows
   readonly crowded = new Signal(false);        // too many windows: frames come in turns
   readonly fault = new Signal<string>('');     // for good
   readonly store = new FrameStore();
@@ -73,7 +74,7 @@ export class JobModel {
     } catch (error) {
       if (error instanceof ApiError && error.httpStatus === 404) {
         if (before) this.forget();
-        else this.failed(error);
+        else this.miss(error);
         return true;
       }
       this.lost.set('The connection to the server broke; trying again.');
@@ -87,6 +88,12 @@ export class JobModel {
     this.streamEnded.set(true);
     for (const signal of [this.lost, this.trouble]) signal.set('');
     this.fault.set('This job was deleted, by another window or program. What this window has of it can still be watched.');
+  }
+
+  private miss(error: ApiError): void {
+    this.end();
+    this.fault.set(error.message);
+    this.missing.set(true);
   }
 
   private sink(): FrameSink {

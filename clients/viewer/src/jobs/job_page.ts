@@ -47,6 +47,11 @@ export function jobPage(id: string): Page {
   const downloads = downloadsPanel(model, () => watch.picture());
   const side = h('div', { class: 'side' }, stitch.element, plots.element, downloads.element, summaryPanel(model));
   const element = h('div', { class: 'page job-page' }, jobHead(model), h('div', { class: 'job-columns' }, watch.element, side));
+  model.missing.subscribe((missing) => {
+    if (!missing) return;
+    element.replaceChildren(h('div', { class: 'page-head' }, h('h1', {}, id)), h('p', { class: 'error-box', role: 'alert' }, model.fault.value),
+      h('p', {}, h('a', { href: '#/jobs' }, 'All jobs')));
+  });
   model.start();
   return {
     title: `Job ${id}`,

@@ -8,7 +8,7 @@ import type { ViewName } from '../draw/stage';
 import { hasEnded } from '../api/messages';
 import { playerBar } from '../player/player_bar';
 import { Player } from '../player/player';
-import { button, h, isTyping } from '../ui/dom';
+import { button, h, keepsKey } from '../ui/dom';
 import type { JobModel } from './job_model';
 
 export interface WatchSink {
@@ -32,7 +32,7 @@ export function watchView(model: JobModel, sink: WatchSink): WatchView {
   const drawing: { view?: FabricView; request: number; last: number; refresh: number; shown: readonly unknown[] } =
     { request: 0, last: 0, refresh: 0, shown: [] };
   const canvas = h('canvas', { class: 'stage', tabindex: 0, role: 'img',
-    'aria-label': 'The fabric in three dimensions. Arrow keys turn it, plus and minus zoom, space plays.' });
+    'aria-label': 'The fabric in three dimensions. Arrow keys turn it, with Shift they move it; plus and minus zoom, space plays.' });
   const message = h('p', { class: 'stage-message', role: 'status' }, 'Waiting for the first frame …');
   const colours = legend(choice, () => refresh());
   const bar = playerBar(player, model.store, () => refresh());
@@ -91,7 +91,12 @@ export function watchView(model: JobModel, sink: WatchSink): WatchView {
   }
 
   const turn = (event: KeyboardEvent): boolean => {
-    const step = 0.12;
+    const [step, part] = [0.12, 0.05];  // rad, of the picture's height
+    const pans: Record<string, [number, number]> = { ArrowLeft: [-part, 0], ArrowRight: [part, 0], ArrowUp: [0, part], ArrowDown: [0, -part] };
+    if (event.shiftKey && event.key in pans) {
+      drawing.view?.pan(...pans[event.key]);
+      return true;
+    }
     const moves: Record<string, [number, number, number]> = {
       ArrowLeft: [-step, 0, 1], ArrowRight: [step, 0, 1], ArrowUp: [0, -step, 1], ArrowDown: [0, step, 1],
       '+': [0, 0, 0.9], '=': [0, 0, 0.9], '-': [0, 0, 1.1],
@@ -104,8 +109,7 @@ export function watchView(model: JobModel, sink: WatchSink): WatchView {
     if (turn(event)) event.preventDefault();
   });
   const onKey = (event: KeyboardEvent): void => {
-    if (isTyping(event.target) || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.key === ' ' && event.target instanceof HTMLButtonElement) return;
+    if (keepsKey(event.target, event.key) || event.ctrlKey || event.metaKey || event.altKey) return;
     const actions: Record<string, () => void> = {
       ' ': () => (player.playing ? player.pause() : player.play()),
       ',': () => player.step(-1), '.': () => player.step(1), l: () => player.follow(),
@@ -145,7 +149,7 @@ export function watchView(model: JobModel, sink: WatchSink): WatchView {
   });
   const tools = h('div', { class: 'stage-tools', role: 'group', 'aria-label': 'View' },
     ...views.map(([view, text]) => button(text, () => drawing.view?.look(view))), h('span', { class: 'push' }), ...swatches,
-    h('p', { class: 'note touch-hint' }, 'One finger sideways turns it; two tilt and zoom.'));
+    h('p', { class: 'note touch-hint' }, 'One finger that sets out sideways turns and tilts it; two move and zoom.'));
   const element = h('section', { class: 'watch', 'aria-label': 'Fabric' },
     h('div', { class: 'stage-frame' }, canvas, message), tools, bar.element, colours.element);
   return {

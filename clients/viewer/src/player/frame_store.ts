@@ -55,6 +55,13 @@ export class FrameStore {
     return Math.max(low - 1, 0);
   }
 
+  /// The place of the frame nearest to a simulated time, of two the earlier.
+  placeNear(t: number): number {
+    const place = this.placeAt(t);
+    const [before, after] = [this.frames[place], this.frames[place + 1]];
+    return after && after.t - t < Math.abs(t - before.t) ? place + 1 : place;
+  }
+
   private thin(): void {
     this.currentStride *= 2;
     this.frames = this.frames.filter((frame) => frame.index % this.currentStride === 0);

@@ -9,7 +9,7 @@ export class Player {
   playing = false;
   following = true;  // the newest frame is shown as it comes
   speed = 0.25;      // simulated s per s
-  private t = 0;
+  private t = 0;     // simulated time that is looked at; places change where frames are dropped
 
   constructor(private readonly store: FrameStore) {}
 
@@ -33,8 +33,10 @@ export class Player {
     this.t = this.store.at(this.place)?.t ?? 0;
   }
 
+  /// At the frame that is shown.
   pause(): void {
     this.playing = false;
+    this.t = this.store.at(this.place)?.t ?? 0;
   }
 
   follow(): void {
@@ -45,7 +47,7 @@ export class Player {
 
   framesCame(): void {
     if (this.following && this.store.count > 0) this.place = this.store.count - 1;
-    else this.place = Math.min(this.place, Math.max(this.store.count - 1, 0));
+    else this.place = this.playing ? this.store.placeAt(this.t) : this.store.placeNear(this.t);
   }
 
   /// True when another frame is to be shown. `seconds`: since the last call, not more than a quarter is made up for.
@@ -54,7 +56,7 @@ export class Player {
     this.t += Math.min(seconds, 0.25) * this.speed;
     const before = this.place;
     this.place = this.store.placeAt(this.t);
-    if (this.place >= this.store.count - 1) this.playing = false;
+    if (this.place >= this.store.count - 1) this.pause();
     return this.place !== before || !this.playing;
   }
 }

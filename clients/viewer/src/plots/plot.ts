@@ -4,7 +4,7 @@ import { h, svg } from '../ui/dom';
 import type { PlotData, Series } from './history';
 import { logTicks, ticks } from './ticks';
 
-const size = { width: 420, height: 190, left: 58, right: 10, top: 10, bottom: 30 };
+const size = { width: 420, height: 190, left: 58, right: 24, top: 10, bottom: 30 };
 
 interface Axis {
   low: number;

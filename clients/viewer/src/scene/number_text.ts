@@ -5,16 +5,29 @@ export function numberText(value: number): string {
   return String(Number(value.toPrecision(12)));
 }
 
-/// What was typed into a field of unit `scale`, in the schema's unit; undefined for an empty one. Throws for other text.
+// "1,000" is a thousand to some and one to others: neither is guessed.
+const betweenThousands = /^[-+]?[1-9]\d{0,2},\d{3}(?!\d)/;
+
+/// What was typed into a field of unit `scale`, in the schema's unit, with a decimal point or comma; undefined for an empty
+/// one. Throws for other text.
 export function parseNumber(typed: string, scale: number): number | undefined {
-  const text = typed.trim().replace(',', '.');
+  const text = betweenThousands.test(typed.trim()) ? typed.trim() : typed.trim().replace(',', '.');
   if (text === '') return undefined;
   const value = /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(text) ? Number(text) : NaN;
   if (!Number.isFinite(value)) throw new Error(`is “${typed.trim()}”, expected a number`);
   return scale === 1 ? value : Number((value * scale).toPrecision(15));
 }
 
-/// Likewise a whole number; as text where no double holds it.
+/// Numbers with spaces or commas between them; a decimal point then is a point. Throws for other text.
+export function parseNumbers(typed: string): number[] {
+  return typed.split(/[\s,]+/).filter((word) => word !== '').map((word) => {
+    const value = /^[-+]?0\d/.test(word) ? NaN : Number(/^[-+.\de]+$/i.test(word) ? word : NaN);  // "000" is the rest of "1,000"
+    if (!Number.isFinite(value)) throw new Error(`has “${word}”, expected numbers`);
+    return value;
+  });
+}
+
+/// What was typed into a field of whole numbers; as text where no double holds it.
 export function parseWhole(typed: string): number | string | undefined {
   const value = parseNumber(typed, 1);
   if (value === undefined || Number.isSafeInteger(value)) return value;

@@ -47,7 +47,11 @@ export function select(label: string, options: readonly (readonly [string, strin
   return h('span', { class: 'labelled' }, h('label', { for: box.id }, label), box);
 }
 
-export function isTyping(target: EventTarget | null): boolean {
-  return target instanceof HTMLElement && (/^(TEXTAREA|SELECT)$/.test(target.tagName) ||
-    (target instanceof HTMLInputElement && !['range', 'checkbox', 'button'].includes(target.type)));
+/// Whether a key means something to what has the focus: all keys where one types, space where it switches, opens or follows.
+export function keepsKey(target: EventTarget | null, key: string): boolean {
+  if (!(target instanceof HTMLElement)) return false;
+  const plain = ['range', 'checkbox', 'radio', 'button', 'submit', 'color', 'file'];
+  if (target.isContentEditable || /^(TEXTAREA|SELECT)$/.test(target.tagName) || (target instanceof HTMLInputElement && !plain.includes(target.type))) return true;
+  if (target instanceof HTMLInputElement && target.type === 'range') return false;
+  return key === ' ' && target.closest('a[href], button, input, summary, label, [role="button"], [role="switch"]') !== null;
 }
