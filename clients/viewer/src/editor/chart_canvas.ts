@@ -185,7 +185,7 @@ function drawAll(canvas: HTMLCanvasElement, context: CanvasRenderingContext2D, n
 /// `before`: what the canvas shows; only rows that differ from it are drawn. The answer is what it shows now.
 export function drawChart(canvas: HTMLCanvasElement, look: ChartLook, layout: ChartLayout, before: DrawnChart | undefined): DrawnChart {
   const now: DrawnChart = { look, layout, ratio: window.devicePixelRatio || 1, colours: coloursOf(canvas) };
-  const context = canvas.getContext('2d');
+  const context = canvas.getContext('2d', { willReadFrequently: true });  // in main memory: paths of many squares take a GPU seconds
   if (!context) return now;
   if (!before || isOtherPicture(now, before)) {
     drawAll(canvas, context, now);
