@@ -114,22 +114,17 @@ function drawSquares(context: CanvasRenderingContext2D, { look, layout, colours 
   }
 }
 
-function drawLines(context: CanvasRenderingContext2D, { look, layout, colours }: DrawnChart, [first, last]: Band): void {
+/// On whole device pixels: as sharp as they can be, and the same whatever is drawn around them.
+function drawLines(context: CanvasRenderingContext2D, { look, layout, ratio, colours }: DrawnChart, [first, last]: Band): void {
   const { cell, left } = layout;
   const columns = width(look.chart);
-  const [top, bottom] = [margin.top + first * cell, margin.top + (last + 1) * cell];
-  context.strokeStyle = colours['--chart-line'];
-  context.lineWidth = 1;
-  context.beginPath();
-  for (let row = first; row <= last + 1; ++row) {
-    context.moveTo(left, margin.top + row * cell + 0.5);
-    context.lineTo(left + cell * columns, margin.top + row * cell + 0.5);
-  }
-  for (let column = 0; column <= columns; ++column) {
-    context.moveTo(left + column * cell + 0.5, top);
-    context.lineTo(left + column * cell + 0.5, bottom);
-  }
-  context.stroke();
+  const snapped = (value: number): number => Math.round(value * ratio) / ratio;
+  const thickness = Math.max(1, Math.round(ratio)) / ratio;
+  const [top, bottom] = [snapped(margin.top + first * cell), snapped(margin.top + (last + 1) * cell)];
+  context.fillStyle = colours['--chart-line'];
+  const end = snapped(left + columns * cell);
+  for (let row = first; row <= last + 1; ++row) context.fillRect(snapped(left), snapped(margin.top + row * cell), end - snapped(left), thickness);
+  for (let column = 0; column <= columns; ++column) context.fillRect(snapped(left + column * cell), top, thickness, bottom - top);
 }
 
 function drawCursor(context: CanvasRenderingContext2D, { look, layout, colours }: DrawnChart): void {
@@ -190,7 +185,7 @@ function drawAll(canvas: HTMLCanvasElement, context: CanvasRenderingContext2D, n
 /// `before`: what the canvas shows; only rows that differ from it are drawn. The answer is what it shows now.
 export function drawChart(canvas: HTMLCanvasElement, look: ChartLook, layout: ChartLayout, before: DrawnChart | undefined): DrawnChart {
   const now: DrawnChart = { look, layout, ratio: window.devicePixelRatio || 1, colours: coloursOf(canvas) };
-  const context = canvas.getContext('2d');
+  const context = canvas.getContext('2d', { willReadFrequently: true });  // in main memory: paths of many squares take a GPU seconds
   if (!context) return now;
   if (!before || isOtherPicture(now, before)) {
     drawAll(canvas, context, now);
