@@ -79,10 +79,11 @@ jobs::Outcome<jobs::Job> create_job(jobs::JobStore& store, const v1::CreateSimJo
   return request.validate_only() ? store.validate(job) : store.create(job);
 }
 
-jobs::Error request_too_big(std::size_t bytes, int max_scene_mib) {
+jobs::Error request_too_big(std::optional<std::uint64_t> bytes, int max_scene_mib) {
+  const std::string size = bytes ? std::to_string(*bytes) + " bytes, " : std::string();
   return {jobs::ErrorCode::resource_exhausted,
           "SCENE_TOO_BIG",
-          "the scene has " + std::to_string(bytes) + " bytes, more than the " + std::to_string(max_scene_mib) +
+          "the scene has " + size + "more than the " + std::to_string(max_scene_mib) +
               " MiB this server takes (--max-scene-mib)",
           {{"limit", std::to_string(max_scene_mib)}, {"flag", "--max-scene-mib"}},
           {},

@@ -40,8 +40,13 @@ Response list(const Route& route, const Service& service) {
   return page ? message_response(*page) : error_response(page.error());
 }
 
+bool is_empty_object(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; });
+  return text == "{}";
+}
+
 Response cancel(const Route& route, const std::string& body, const Service& service) {
-  if (!body.empty() && body.find_first_not_of("{} \t\r\n") != std::string::npos) {
+  if (!body.empty() && !is_empty_object(body)) {
     return error_response(jobs::invalid_field("request", "a body", "none, or {}"));
   }
   return job_response(service.store.cancel(route.id));
@@ -163,7 +168,5 @@ Response handle(const Route& route, const std::string& body, const Service& serv
   }
   return service.files.answer(route);
 }
-
-bool takes_long(Operation operation) { return operation == Operation::create_job || operation == Operation::get_frame; }
 
 }  // namespace slipstitch::rest

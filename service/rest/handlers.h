@@ -22,7 +22,4 @@ struct Service {
 /// Does what a route asks for. May take long (create_job, get_frame) or wait for the store; called from any thread.
 Response handle(const Route& route, const std::string& body, const Service& service);
 
-/// True for what computes rather than looks up.
-bool takes_long(Operation operation);
-
 }  // namespace slipstitch::rest

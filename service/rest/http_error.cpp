@@ -28,6 +28,14 @@ jobs::Error limit_error(jobs::ErrorCode code, const std::string& reason, const s
   return error;
 }
 
+// Without zeros at its end.
+std::string decimal(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 }  // namespace
 
 unsigned http_status(const jobs::Error& error) {
@@ -141,9 +149,7 @@ HttpError headers_too_big(std::size_t limit) {
 }
 
 HttpError request_timeout(double limit_s) {
-  std::string limit = std::to_string(limit_s);
-  limit.erase(limit.find_last_not_of('0') + 1);
-  if (limit.back() == '.') limit.pop_back();
+  const std::string limit = decimal(limit_s);
   return {408,
           limit_error(jobs::ErrorCode::deadline_exceeded, "REQUEST_TIMEOUT",
                       "the request was not complete within " + limit + " s (--http-timeout)", limit, "--http-timeout")};
@@ -161,6 +167,17 @@ HttpError too_many_uploads(int limit) {
   jobs::Error error = limit_error(jobs::ErrorCode::unavailable, "TOO_MANY_UPLOADS",
                                   std::to_string(limit) + " large requests are being sent already; try again",
                                   std::to_string(limit), "");
+  error.retry_after_s = kRetryConnection_s;
+  return {503, error};
+}
+
+HttpError too_many_exports(std::size_t limit_bytes, double waited_s) {
+  const std::string limit = std::to_string(limit_bytes);
+  jobs::Error error =
+      limit_error(jobs::ErrorCode::unavailable, "TOO_MANY_EXPORTS",
+                  "other clients' frames are being made, or sent and hold up to " + limit +
+                      " bytes; no turn came within " + decimal(waited_s) + " s (--http-timeout); try again",
+                  limit, "");
   error.retry_after_s = kRetryConnection_s;
   return {503, error};
 }

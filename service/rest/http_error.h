@@ -37,5 +37,6 @@ HttpError headers_too_big(std::size_t limit);
 HttpError request_timeout(double limit_s);
 HttpError too_many_connections(int limit);
 HttpError too_many_uploads(int limit);
+HttpError too_many_exports(std::size_t limit_bytes, double waited_s);
 
 }  // namespace slipstitch::rest

@@ -67,9 +67,7 @@ std::optional<HttpError> read_error(const Parser& parser, const boost::system::e
   if (error == http::error::body_limit) {
     const std::string method(parser.get().method_string());
     if (method != "POST") return malformed_request(method + " has no body");
-    const std::uint64_t least = (std::uint64_t{1} << 20) * static_cast<std::uint64_t>(max_scene_mib) + 1;
-    const auto length = parser.is_header_done() ? parser.content_length() : boost::optional<std::uint64_t>();
-    return http_error(request_too_big(length.value_or(least), max_scene_mib));
+    return http_error(request_too_big(std::nullopt, max_scene_mib));
   }
   const bool gone = error == http::error::end_of_stream || error == http::error::partial_message;
   if (gone || error.category() != http::make_error_code(http::error::bad_method).category()) return std::nullopt;

@@ -34,6 +34,12 @@ void Metrics::change_streams(int by) {
   streams_ += by;
 }
 
+void Metrics::set_exports(std::size_t waiting, std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  exports_waiting_ = waiting;
+  export_bytes_ = bytes;
+}
+
 std::string Metrics::text(const jobs::JobStore& store) const {
   std::string text;
   begin_family(text, "slipstitch_info", "gauge", "The version that runs.");
@@ -44,6 +50,10 @@ std::string Metrics::text(const jobs::JobStore& store) const {
   text += "slipstitch_http_connections " + std::to_string(connections_) + "\n";
   begin_family(text, "slipstitch_http_streams", "gauge", "Responses being sent piece by piece.");
   text += "slipstitch_http_streams " + std::to_string(streams_) + "\n";
+  begin_family(text, "slipstitch_http_exports_waiting", "gauge", "Requests that wait for their turn to get a frame.");
+  text += "slipstitch_http_exports_waiting " + std::to_string(exports_waiting_) + "\n";
+  begin_family(text, "slipstitch_http_export_bytes", "gauge", "Frames as files, made and not yet sent.");
+  text += "slipstitch_http_export_bytes " + std::to_string(export_bytes_) + "\n";
   begin_family(text, "slipstitch_http_responses_total", "counter", "HTTP responses by operation and status.");
   for (const auto& [key, count] : responses_) {
     text += "slipstitch_http_responses_total{operation=\"" + key.first + "\",status=\"" + std::to_string(key.second) +

@@ -24,9 +24,9 @@ constexpr char kDescription[] =
     "refused.\n\nEvery error is a google.rpc.Status with exactly one google.rpc.ErrorInfo. The reasons of each "
     "operation "
     "are the names of the examples of its responses; besides, what is at no path is NO_SUCH_PATH (404). Reasons of 429 "
-    "and of TOO_MANY_CONNECTIONS and TOO_MANY_UPLOADS (503) come with Retry-After, 405 comes with Allow: it is what "
-    "any "
-    "other method of the path gets. Codes become statuses so: INVALID_ARGUMENT 400, NOT_FOUND 404, ALREADY_EXISTS and "
+    "and of TOO_MANY_CONNECTIONS, TOO_MANY_UPLOADS and TOO_MANY_EXPORTS (503) come with Retry-After, 405 comes with "
+    "Allow: it is what any other method of the path gets. Codes become statuses so: INVALID_ARGUMENT 400, NOT_FOUND "
+    "404, ALREADY_EXISTS and "
     "FAILED_PRECONDITION 409, RESOURCE_EXHAUSTED 429 with Retry-After for QUEUE_FULL and 413 for SCENE_TOO_BIG, "
     "UNAVAILABLE 503, all else 500.\n\nHEAD goes where GET goes.";
 

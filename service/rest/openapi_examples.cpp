@@ -122,7 +122,8 @@ std::vector<HttpError> all_errors() {
                                 wrong_host("example.com"),
                                 headers_too_big(16 * 1024),
                                 too_many_connections(512),
-                                too_many_uploads(8)};
+                                too_many_uploads(8),
+                                too_many_exports(std::size_t{64} << 20, 30.0)};
   for (jobs::Error& error : job_errors()) errors.push_back(http_error(std::move(error)));
   return errors;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "rest/rest_server.h"
 
+#include <array>
 #include <boost/asio/executor_work_guard.hpp>
 #include <boost/asio/post.hpp>
 #include <condition_variable>
@@ -17,7 +18,7 @@ using ErrorCode = boost::system::error_code;
 
 namespace {
 
-constexpr int kMostRefused = 64;                        // connections over the limit that are told so at a time
+constexpr int kMostRefused = 64;                        // connections over the limit whose requests are read at a time
 constexpr std::chrono::milliseconds kAcceptAgain{100};  // after the system could not give one
 constexpr std::chrono::milliseconds kLookForLast{5};
 
@@ -76,10 +77,23 @@ struct RestServer::State {
   void greet(tcp::socket socket) {
     const bool full =
         shared->sessions.size() >= static_cast<std::size_t>(shared->options.max_connections + shared->refused);
-    if (full && shared->refused == kMostRefused) return;
+    if (full && shared->refused == kMostRefused) return turn_away(std::move(socket));
     const auto session = std::make_shared<Session>(std::move(socket), shared);
     shared->sessions.insert(session);
     full ? session->refuse() : session->start();
+  }
+
+  // Costs no waiting and nothing that stays. What the client sends from now on, the system answers with a reset.
+  void turn_away(tcp::socket socket) {
+    const Response response = error_response(too_many_connections(shared->options.max_connections));
+    const std::string text = head_text(response, response.body.size(), false, false) + response.body;
+    std::array<char, kMaxHeaderBytes> unread;
+    ErrorCode ignored;
+    socket.non_blocking(true, ignored);
+    socket.write_some(asio::buffer(text), ignored);
+    socket.shutdown(tcp::socket::shutdown_send, ignored);
+    socket.read_some(asio::buffer(unread), ignored);  // else closing resets, and the answer may be lost
+    shared->service.metrics.count_response("none", response.status);
   }
 
   std::shared_ptr<Shared> shared;
@@ -138,6 +152,7 @@ void RestServer::stop(double grace_s) {
     if (!last) std::this_thread::sleep_for(kLookForLast);
   }
   asio::post(state.shared->io, [&state] {
+    state.shared->waiting.clear();
     const auto sessions = state.shared->sessions;
     for (const auto& session : sessions) session->close();
     asio::post(state.shared->io, [&state] { state.shared->io.stop(); });
@@ -146,6 +161,7 @@ void RestServer::stop(double grace_s) {
   state.shared->work.join();
   state.shared->lookups.join();
   state.shared->feeds.join();
+  state.shared->exports.join();
   state.shared->io.restart();  // what the pools had still to say finds its connection closed
   state.shared->io.poll();
 }

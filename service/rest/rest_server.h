@@ -15,12 +15,15 @@ struct RestOptions {
   int max_scene_mib = 16;
   std::chrono::milliseconds stall_timeout{30'000};    // a client that takes nothing for so long is cut off
   std::chrono::milliseconds request_timeout{30'000};  // for a request to be complete, and between requests
+  std::chrono::milliseconds keep_alive{15'000};       // a stream that says nothing for so long says that it is there
   int max_connections = 512;
-  std::filesystem::path viewer;  // folder of the viewer's files
+  std::size_t max_export_bytes = std::size_t{64} << 20;  // of frames' files being sent; above it no more are made
+  std::filesystem::path viewer;                          // folder of the viewer's files
 };
 
-/// REST, events, streams and the viewer on one port. One thread does all input and output and never waits; what takes
-/// long, what looks up and what feeds streams each have one more, so that none holds up the others.
+/// REST, events, streams and the viewer on one port. One thread does all input and output and never waits; what checks
+/// new jobs, what looks up, what feeds streams and what makes frames' files each have one more, so that none holds up
+/// the others.
 class RestServer {
  public:
   /// Listens and serves. Error: the address cannot be had.

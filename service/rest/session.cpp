@@ -16,7 +16,6 @@ constexpr std::size_t kBufferBytes = 64 * 1024;  // read ahead
 constexpr std::uint64_t kSmallBody = 64 * 1024;  // any number of these at a time
 constexpr int kMostUploads = 8;                  // of larger ones
 constexpr milliseconds kLinger{2'000};           // for a client to see the answer before the connection goes
-constexpr milliseconds kKeepAlive{15'000};       // of streams
 
 }  // namespace
 
@@ -45,6 +44,7 @@ void Session::close() {
   if (std::exchange(closed_, true)) return;
   disarm();
   release_upload();
+  leave_exports();
   if (std::exchange(streaming_, false)) shared_->service.metrics.change_streams(-1);
   if (refused_) {
     --shared_->refused;
@@ -147,7 +147,8 @@ void Session::on_read_error(const ErrorCode& error) {
 }
 
 void Session::run() {
-  asio::thread_pool& lane = takes_long(route_->operation) ? shared_->work : shared_->lookups;
+  if (route_->operation == Operation::get_frame) return await_export();
+  asio::thread_pool& lane = route_->operation == Operation::create_job ? shared_->work : shared_->lookups;
   asio::post(lane, [self = shared_from_this(), body = std::move(parser_->get().body())] {
     Response response = handle(*self->route_, body, self->shared_->service);
     asio::post(self->shared_->io, [self, response = std::move(response)]() mutable {
@@ -181,6 +182,7 @@ void Session::respond_and_close(const HttpError& error) {
 
 void Session::finish_response() {
   response_ = {};
+  leave_exports();
   if (!keep_alive_) return linger();
   ++requests_;
   read_head();
@@ -257,7 +259,7 @@ void Session::after_piece() {
   busy_ = false;
   if (then_ == Piece::Then::end) return end_stream();
   if (then_ == Piece::Then::more || woken_) return feed();
-  arm(kKeepAlive, [this] { keep_alive(); });
+  arm(shared_->options.keep_alive, [this] { keep_alive(); });
 }
 
 void Session::wake() {
@@ -288,6 +290,8 @@ void Session::write(std::string text, Handler then) {
 void Session::write_more(Handler then) {
   if (sent_ == out_.size()) {
     disarm();
+    std::string().swap(out_);  // an assignment would keep its memory
+    sent_ = 0;
     return then();
   }
   arm(shared_->options.stall_timeout, [this] { close(); });

@@ -6,6 +6,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -29,11 +30,14 @@ struct Shared {
   Service service;
   std::string bound_host;
   std::set<std::shared_ptr<Session>> sessions;
-  int refused = 0;  // connections over the limit that are being told so
-  int uploads = 0;  // large requests that are being read or handled
+  int refused = 0;                               // connections over the limit that are being told so
+  int uploads = 0;                               // large requests that are being read or handled
+  std::deque<std::shared_ptr<Session>> waiting;  // for their turn to have a frame's file made
+  bool exporting = false;                        // one is being made
+  std::size_t export_bytes = 0;                  // of those being sent
   bool stopping = false;
   boost::asio::io_context io{1};
-  boost::asio::thread_pool lookups{1}, work{1}, feeds{1};
+  boost::asio::thread_pool lookups{1}, work{1}, feeds{1}, exports{1};
 };
 
 /// One connection: reads a request, answers, reads the next. Lives until close().
@@ -66,6 +70,12 @@ class Session : public std::enable_shared_from_this<Session> {
   void linger();
   void drain();
 
+  void await_export();
+  void make_export();
+  void take_export(Response response);
+  void leave_exports();
+  static void begin_next_export(Shared& shared);
+
   void start_stream();
   void watch_job();
   void watch_client();
@@ -97,6 +107,10 @@ class Session : public std::enable_shared_from_this<Session> {
   int requests_ = 0;
   bool reading_head_ = false, timed_out_ = false, keep_alive_ = false, http_1_0_ = false, uploading_ = false;
   bool refused_ = false, closed_ = false;
+
+  // Of a frame's file.
+  bool waiting_ = false;
+  std::size_t export_bytes_ = 0;  // while it is sent
 
   // Of a body that comes in pieces.
   Response response_;

@@ -132,7 +132,7 @@ class ConformanceTest : public RestTest {
   }
 
   // By a server that takes no more, and by one that does not wait.
-  void check_limits() {
+  void check_limits(const std::string& ended) {
     start_rest({"--http-connections", "1"});
     HttpConnection first(http());
     first.send_request("GET", "/healthz");
@@ -144,6 +144,12 @@ class ConformanceTest : public RestTest {
     std::vector<std::unique_ptr<HttpConnection>> slow;
     for (const Documented& documented : operations_) slow.push_back(begin(documented, "simJobs/x", " HTTP/1.1\r\n"));
     for (std::size_t i = 0; i < slow.size(); ++i) check(operations_[i], slow[i]->read_answer());
+    BlockedLog log(folder_of(ended).frames());
+    HttpConnection exporting(http());
+    exporting.send_request("GET", path_of(ended) + "/frames/0");
+    EXPECT_EQ(call("GET", "/healthz").status, 200U);  // accepted after that, so that has begun
+    ask("getFrame", ended);
+    log.release();
   }
 
   void while_gone(const std::filesystem::path& path, const std::function<void()>& then) {
@@ -154,12 +160,6 @@ class ConformanceTest : public RestTest {
 
   void create(const std::string& body, const HttpHeaders& headers = {{"Content-Type", "application/json"}}) {
     ask("createSimJob", "", "", headers, body);
-  }
-
-  std::string ended_job() {
-    const std::string name = must_create(swing(3, 0.1, 10.0, 1e-2)).name();
-    wait_for_end(name);
-    return name;
   }
 
   // What requests are told that were on their way when the server was stopped.
@@ -248,7 +248,7 @@ TEST_F(ConformanceTest, EveryDocumentedAnswerIsGiven) {
 
   ask("cancelSimJob", waiting);
   check_stop(example, running);
-  check_limits();
+  check_limits(ended);
 
   Answers documented;
   for (const Documented& one : operations_) documented.merge(answers_of(one));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "rest_fixture.h"
-#include "run_dir/frame_log.h"
 #include "support/resident_memory.h"
 
 namespace slipstitch::test {
@@ -139,6 +138,32 @@ TEST_F(HostileTest, BodiesAboveTheLimitAreRefusedUnread) {
   EXPECT_TRUE(list_names().empty());
 }
 
+// No number is told that nobody knows.
+TEST_F(HostileTest, WhatIsTooBigIsNotGivenAWrongSize) {
+  start_rest({"--max-scene-mib", "1"});
+  const std::string post = std::string("POST /v1/simJobs HTTP/1.1\r\nContent-Type: application/json\r\n") + kHost;
+  HttpConnection chunked(http());
+  chunked.send(post + "Transfer-Encoding: chunked\r\n\r\n200000\r\n" + std::string(0x200000, ' '));
+  for (const HttpAnswer& answer : {raw(post + "Content-Length: 2000000000\r\n\r\n"),
+                                   raw(post + "Content-Length: 18446744073709551615\r\n\r\n"), chunked.read_answer()}) {
+    expect_http_error(answer, 413, "SCENE_TOO_BIG");
+    EXPECT_NE(answer.body.find("the scene has more than the 1 MiB this server takes"), std::string::npos)
+        << answer.body;
+    EXPECT_EQ(answer.body.find("1048577"), std::string::npos) << answer.body;
+  }
+}
+
+TEST_F(HostileTest, ACancelTakesNoBodyButAnEmptyOne) {
+  start_rest();
+  const std::string name = must_create(endless_swing()).name();
+  for (const std::string body : {"}}{{", "}{", "{}{}", "{{}}", "{", "[]", "null", " ", R"({"name":"a"})"}) {
+    SCOPED_TRACE(body);
+    expect_http_error(post_json(path_of(name) + ":cancel", body), 400, "INVALID_FIELD");
+  }
+  EXPECT_FALSE(get(name).cancel_requested());
+  EXPECT_EQ(post_json(path_of(name) + ":cancel", " {\n} ").status, 200U);
+}
+
 TEST_F(HostileTest, HostileJsonIsRefused) {
   start_rest();
   for (const std::string& body : std::vector<std::string>{
@@ -217,95 +242,6 @@ TEST_F(HostileTest, OnlyItsOwnHostsAndPages) {
   }
   expect_http_error(call("OPTIONS", "/v1/simJobs", {{"Access-Control-Request-Method", "POST"}}), 405,
                     "METHOD_NOT_ALLOWED");
-}
-
-TEST_F(HostileTest, ConnectionsAboveTheLimitAreTold) {
-  start_rest({"--http-connections", "2"});
-  HttpConnection first(http()), second(http());
-  for (HttpConnection* connection : {&first, &second}) {
-    connection->send_request("GET", "/healthz");
-    EXPECT_EQ(connection->read_answer().status, 200U);
-  }
-  const HttpAnswer refused = call("GET", "/healthz");
-  expect_http_error(refused, 503, "TOO_MANY_CONNECTIONS");
-  EXPECT_NE(refused.body.find("--http-connections"), std::string::npos);
-  EXPECT_EQ(refused.header("retry-after"), "1");
-  first.send_request("GET", "/healthz");
-  EXPECT_EQ(first.read_answer().status, 200U) << "who is in stays in";
-}
-
-TEST_F(HostileTest, LargeRequestsWaitForEachOther) {
-  start_rest();
-  const std::string post = std::string("POST /v1/simJobs HTTP/1.1\r\nContent-Type: application/json\r\n") + kHost;
-  std::vector<std::unique_ptr<HttpConnection>> sending;
-  for (int i = 0; i < 8; ++i) {
-    sending.push_back(std::make_unique<HttpConnection>(http()));
-    sending.back()->send(post + "Content-Length: 100000\r\n\r\n{");
-  }
-  const HttpAnswer refused = raw(post + "Content-Length: 100000\r\n\r\n{");
-  expect_http_error(refused, 503, "TOO_MANY_UPLOADS");
-  EXPECT_EQ(refused.header("retry-after"), "1");
-  EXPECT_EQ(raw(post + "Content-Length: 2\r\n\r\n{}").status, 400U) << "small ones never wait";
-  sending.back()->send(std::string(99'999, '}'));
-  EXPECT_EQ(sending.back()->read_answer().status, 400U);
-  HttpConnection next(http());
-  next.send(post + "Content-Length: 100000\r\n\r\n" + std::string(100'000, '{'));
-  EXPECT_EQ(next.read_answer().status, 400U) << "a place is free again";
-}
-
-constexpr int kLargeVisits = 100'000;
-constexpr long kLargeFrameBytes = 4L * kLargeVisits * 8;
-
-// Puts ten frames of 3.2 MB where a job's were.
-void write_large_log(const std::filesystem::path& file) {
-  constexpr int visits = kLargeVisits;
-  FrameHeader header;
-  header.topology.num_nodes = visits;
-  header.topology.yarn_first = {0, visits};
-  header.topology.visit_node.resize(visits);
-  for (int i = 0; i < visits; ++i) header.topology.visit_node[static_cast<std::size_t>(i)] = i;
-  header.topology.visit_slides.assign(visits, 0);
-  header.topology.segment_kind.assign(visits, SegmentKind::free);
-  header.topology.segment_kind.back() = SegmentKind::none;
-  header.topology.rest_arc.assign(visits, 0.0);
-  header.topology.yarn_material = {0};
-  header.topology.density_scale = {1.0};
-  header.yarn = {1e-3, 1e-4, 1.0, 1e-8};
-  header.frames_per_s = 10.0;
-  header.num_frames = 10;
-  std::filesystem::remove(file);
-  Result<FrameLogWriter> log = FrameLogWriter::create(file);
-  ASSERT_TRUE(log) << log.error;
-  ASSERT_EQ(log->append_header(header), "");
-  for (int i = 0; i < 10; ++i) ASSERT_EQ(log->append_frame({i, 0.1 * i, VecX::Zero(4 * visits)}), "");
-}
-
-TEST_F(HostileTest, WhoDoesNotReadCostsAFewFramesAndIsCutOff) {
-  start_rest({"--stall-timeout", "2"});
-  const std::string name = must_create(swing(3, 0.1, 10.0, 1e-2)).name();
-  wait_for_end(name);
-  write_large_log(folder_of(name).frames());
-  const std::string target = path_of(name) + "/frames:stream";
-  const HttpAnswer whole = call("GET", target);
-  EXPECT_TRUE(whole.complete);
-  EXPECT_GT(whole.body.size(), static_cast<std::size_t>(10 * kLargeFrameBytes));
-  const long before = resident_bytes(server_->pid());
-  std::vector<std::unique_ptr<HttpConnection>> stalled;
-  for (int i = 0; i < 16; ++i) {
-    stalled.push_back(std::make_unique<HttpConnection>(http()));
-    stalled.back()->send_request("GET", target);
-    EXPECT_EQ(stalled.back()->read_answer(true).status, 200U);
-  }
-  const auto metrics = [&] { return call("GET", "/metrics").body; };
-  long most = 0;
-  while (metrics().find("slipstitch_http_streams 0\n") == std::string::npos) {
-    most = std::max(most, resident_bytes(server_->pid()) - before);
-  }
-  RecordProperty("most_bytes", std::to_string(most));
-  EXPECT_LT(most, 16 * 7 * kLargeFrameBytes) << "16 clients, each with a header and a frame in hand";
-  while (!stalled.front()->read_part().empty()) {
-  }
-  EXPECT_FALSE(stalled.front()->ended());
 }
 
 TEST_F(HostileTest, OneConnectionServesManyRequests) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "rest_fixture.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+
 #include <cstring>
 #include <sstream>
 
@@ -21,6 +24,19 @@ HttpAnswer RestTest::call(const std::string& method, const std::string& target, 
 HttpAnswer RestTest::post_json(const std::string& target, const std::string& body) {
   return call("POST", target, {{"Content-Type", "application/json"}}, body);
 }
+
+std::string RestTest::ended_job() {
+  const std::string name = must_create(swing(3, 0.1, 10.0, 1e-2)).name();
+  wait_for_end(name);
+  return name;
+}
+
+BlockedLog::BlockedLog(std::filesystem::path file) : file_(std::move(file)) {
+  std::filesystem::remove(file_);
+  EXPECT_EQ(::mkfifo(file_.c_str(), 0600), 0);
+}
+
+void BlockedLog::release() { open_ = UniqueFd(::open(file_.c_str(), O_RDWR | O_CLOEXEC)); }
 
 std::string path_of(const std::string& name) { return "/v1/" + name; }
 

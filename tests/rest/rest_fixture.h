@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "run_dir/unique_fd.h"
 #include "service/service_fixture.h"
 #include "support/http_client.h"
 
@@ -19,6 +20,18 @@ class RestTest : public ServiceTest {
                   const std::string& body = "");
   HttpAnswer post_json(const std::string& target, const std::string& body);
   std::string http() const { return server_->http_address(); }
+  std::string ended_job();  // its name
+};
+
+/// In place of a frame log: who opens it waits until release(), and then finds nothing in it.
+class BlockedLog {
+ public:
+  explicit BlockedLog(std::filesystem::path file);
+  void release();
+
+ private:
+  const std::filesystem::path file_;
+  UniqueFd open_;
 };
 
 /// "/v1/simJobs/ID" of "simJobs/ID".
