@@ -2,11 +2,15 @@
 #include "jobs/data_dir.h"
 
 #include <fcntl.h>
+#include <signal.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #include "jobs/job_id.h"
 #include "run_dir/atomic_file.h"
@@ -15,6 +19,9 @@ namespace slipstitch::jobs {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+
+constexpr auto kLongestStart = 5000ms, kLook = 10ms;
 
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
@@ -25,9 +32,28 @@ Error data_dir_error(const fs::path& path, const std::string& why) {
   return {ErrorCode::failed_precondition, "DATA_DIR_UNUSABLE", path.string() + ": " + why, {}, {}, {}};
 }
 
-Error data_dir_in_use(const fs::path& path) {
+std::string owner_of(const fs::path& path) {
   const Result<std::string> owner = read_file(path / "lock", 64);
-  const std::string pid = owner ? owner->substr(0, owner->find('\n')) : "unknown";
+  return owner ? owner->substr(0, owner->find('\n')) : "unknown";
+}
+
+bool is_gone(const std::string& pid) {
+  const long number = std::strtol(pid.c_str(), nullptr, 10);
+  return number > 0 && ::kill(static_cast<pid_t>(number), 0) != 0 && errno == ESRCH;
+}
+
+/// A worker that a killed server was just starting has its lock until it runs another program.
+bool lock_soon(int lock, const fs::path& path) {
+  for (auto waited = 0ms; waited <= kLongestStart; waited += kLook) {
+    if (::flock(lock, LOCK_EX | LOCK_NB) == 0) return true;
+    if (!is_gone(owner_of(path))) return false;
+    std::this_thread::sleep_for(kLook);
+  }
+  return false;
+}
+
+Error data_dir_in_use(const fs::path& path) {
+  const std::string pid = owner_of(path);
   return {ErrorCode::failed_precondition,
           "DATA_DIR_IN_USE",
           path.string() + " is in use by another server (pid " + pid + ")",
@@ -39,7 +65,7 @@ Error data_dir_in_use(const fs::path& path) {
 Outcome<UniqueFd> take_lock(const fs::path& path) {
   UniqueFd lock(::open((path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
   if (!lock) return data_dir_error(path, errno_message("open", path / "lock"));
-  if (::flock(lock.get(), LOCK_EX | LOCK_NB) != 0) return data_dir_in_use(path);
+  if (!lock_soon(lock.get(), path)) return data_dir_in_use(path);
   const std::string pid = std::to_string(::getpid()) + "\n";
   if (::ftruncate(lock.get(), 0) != 0 || !write_all(lock.get(), pid.data(), pid.size())) {
     return data_dir_error(path, errno_message("write", path / "lock"));

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <sys/file.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "jobs/local_executor.h"
 #include "run_dir/frame_log.h"
@@ -76,6 +81,25 @@ TEST_F(RecoveryTest, RefusesADirectoryInUseNamingItsOwner) {
   ASSERT_FALSE(second);
   EXPECT_EQ(second.error().reason, "DATA_DIR_IN_USE");
   EXPECT_NE(second.error().message.find(std::to_string(::getpid())), std::string::npos);
+}
+
+// As a worker has it that a killed server was just starting.
+TEST_F(RecoveryTest, WaitsForALockWhoseOwnerIsDead) {
+  ASSERT_TRUE(DataDir::open(folder_ / "data"));
+  const pid_t dead = ::fork();
+  if (dead == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(dead, nullptr, 0), dead);
+  const std::string lock = (folder_ / "data") / "lock";
+  std::ofstream(lock) << dead << "\n";
+  const int held = ::open(lock.c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  std::thread starting([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    ::close(held);
+  });
+  const Outcome<DataDir> data = DataDir::open(folder_ / "data");
+  starting.join();
+  EXPECT_TRUE(data) << data.error().message;
 }
 
 TEST_F(RecoveryTest, KeepsFinishedJobsAndRequestIds) {
