@@ -89,6 +89,7 @@ TEST(StudyReport, MarkdownHasTheTablesAndWhatIsMissing) {
   EXPECT_NE(text.find("| 0.2 % | far off | 0.004 % | 48 | 2 | 500 | 170 | 585 | 2.5 MB |"), std::string::npos) << text;
   EXPECT_NE(text.find("- failed: BDF2 16.7 ms: no step converges"), std::string::npos);
   EXPECT_NE(text.find("- not run: BDF2 8.33 ms, BDF2 4.17 ms: did not fit"), std::string::npos);
+  EXPECT_EQ(text.find("| BDF2"), std::string::npos);  // no rows of them
   EXPECT_NE(text.find("- **order**: "), std::string::npos);
   EXPECT_EQ(text.find("estimate"), std::string::npos);  // no run has one
   WorkPrecision study = sample_work_precision();
@@ -106,7 +107,9 @@ TEST(StudyReport, PageStandsAlone) {
   EXPECT_EQ(count_in(page, "<svg "), 2U);
   EXPECT_EQ(count_in(page, "<tr class=\"front\">"), 2U * 6U);
   EXPECT_NE(page.find("slipstitch study &#39;a b&#39;"), std::string::npos);
-  EXPECT_NE(page.find("<li>failed: BDF2 16.7 ms"), std::string::npos);
+  EXPECT_NE(page.find("<li>failed: BDF2 16.7 ms: no step converges, &quot;at all&quot;</li>"), std::string::npos);
+  EXPECT_EQ(count_in(page, "<td>SDIRK2 8.33 ms</td>"), 2U);
+  EXPECT_EQ(count_in(page, "<td>BDF2"), 0U);
   EXPECT_NE(page.find("accuracy against time</title>"), std::string::npos);
 }
 
@@ -134,6 +137,7 @@ TEST(StudyReport, PlotsTakeWhatIsExtreme) {
   for (RungResult& r : study.rungs)
     if (r.errors) r.errors->position_m = 0.0;
   EXPECT_EQ(study_plot(study, StudyAxis::wall_time).find("nan"), std::string::npos);
+  EXPECT_NE(study_plot(study, StudyAxis::wall_time).find(">1e-15 m<"), std::string::npos);  // a scale all the same
   study.rungs[0].errors->position_m = std::numeric_limits<double>::infinity();
   study.rungs[1].errors->position_m = std::nan("");
   EXPECT_EQ(study_plot(study, StudyAxis::wall_time).find("nan"), std::string::npos);
@@ -175,7 +179,7 @@ TEST(StudyReport, SaysHowFarMotionCanBePredicted) {
 TEST(StudyReport, SaysWhatADigitCosts) {
   WorkPrecision study = sample_work_precision();
   // Along the front 10 mm, 0.1 s; 5, 0.2; 2.5, 0.4; 1, 0.5: ten times less error for five times the time.
-  EXPECT_NE(about_digits(study).find("from 10 mm to 1 mm x5,"), std::string::npos) << about_digits(study);
+  EXPECT_NE(about_digits(study).find("from 10 mm to 1 mm x5."), std::string::npos) << about_digits(study);
   study.digit_factor.reset();
   EXPECT_NE(about_digits(study).find("too short"), std::string::npos);
 }

@@ -98,6 +98,7 @@ TEST_F(StudyFolder, DoesNotFindWhatIsDamaged) {
   EXPECT_FALSE(kept_then(".frames", [](std::string& bytes) { bytes[100] ^= 1; }));
   EXPECT_FALSE(kept_then(".frames", [](std::string& bytes) { bytes.pop_back(); }));
   EXPECT_FALSE(kept_then(".frames", [](std::string& bytes) { bytes.clear(); }));
+  EXPECT_FALSE(kept_then(".frames", [](std::string& bytes) { bytes += "x"; }));
   EXPECT_FALSE(kept_then(".json", [](std::string& bytes) { bytes.resize(bytes.size() / 2); }));
   EXPECT_FALSE(kept_then(".json", [](std::string& bytes) { bytes = R"({"run": "a"})"; }));
   EXPECT_FALSE(kept_then(
