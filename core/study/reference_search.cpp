@@ -40,7 +40,8 @@ class Search {
   FoundReference go(int most_runs) {
     start();
     for (int k = 0; k < most_runs && !runs_.ended() && !settled_ && !at_noise_; ++k) {
-      if (k > 0 && !runs_.fits(2.0 * kNextCost * last_wall_s_, until_s_)) {
+      const bool is_there = runs_.find(study_run(scene_, rung_at(k))).has_value();
+      if (k > 0 && !is_there && !runs_.fits(2.0 * kNextCost * last_wall_s_, until_s_)) {
         found_.facts.out_of_time = true;
         break;
       }
@@ -65,9 +66,13 @@ class Search {
     found_.facts.method = first_.method;
   }
 
+  Rung rung_at(int k) const {
+    return refined(first_, step_factor_ * std::pow(0.5, k), kFirstTolerance * std::pow(kNextTolerance, k));
+  }
+
   /// False: the time has come, or no finer one runs.
   bool refine(int k) {
-    const Rung rung = refined(first_, step_factor_ * std::pow(0.5, k), kFirstTolerance * std::pow(kNextTolerance, k));
+    const Rung rung = rung_at(k);
     std::optional<KeptRun> kept = runs_.get(study_run(scene_, rung), until_s_);
     if (!kept) {
       found_.facts.out_of_time = !runs_.ended();

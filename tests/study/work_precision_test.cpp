@@ -218,11 +218,14 @@ TEST(WorkPrecision, FindsNoOrderFromStepsThatAreNotHalves) {
 
 TEST(WorkPrecision, KeepsWhatIsThereWhenTheTimeIsUp) {
   CountingShelf shelf;
-  study_work_precision(smooth_swing(), quick_on(shelf));
+  const WorkPrecision whole_study = study_work_precision(smooth_swing(), quick_on(shelf));
   const int runs = shelf.kept;
   const WorkPrecision study = with_budget(shelf, 1e-9);
   EXPECT_EQ(shelf.kept, runs);
   for (const RungResult& r : study.rungs) EXPECT_TRUE(r.errors) << rung_name(r.rung);
+  EXPECT_GT(study.reference.refinements, 1);
+  EXPECT_EQ(study.reference.step_s, whole_study.reference.step_s);
+  EXPECT_EQ(study.reference.error_m, whole_study.reference.error_m);
 }
 
 TEST(WorkPrecision, ListsWhatFailsAndNamesItWhereNothingRuns) {
