@@ -41,7 +41,7 @@ std::vector<Point> frontier(std::vector<Point> points) {
 std::vector<Point> marked_front(const std::vector<RungResult>& rungs) {
   std::vector<Point> points;
   for (const RungResult& result : rungs)
-    if (result.on_front) points.push_back(point_of(result));
+    if (result.on_front && result.resolved && result.errors->position_m > 0.0) points.push_back(point_of(result));
   return frontier(points);
 }
 

@@ -21,7 +21,7 @@ void mark_front(std::vector<RungResult>& rungs);
 void compare_with_baseline(std::vector<RungResult>& rungs);
 
 /// What ten times less error costs along the marked front: from every power of ten to the next within it, in logarithms
-/// between its rungs.
+/// between its rungs, of which those that are not resolved do not count.
 std::vector<DigitPrice> digit_prices(const std::vector<RungResult>& rungs);
 
 /// The mean of that over the whole front; none where it spans less than half a digit.

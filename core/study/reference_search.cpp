@@ -40,7 +40,8 @@ class Search {
   FoundReference go(int most_runs) {
     start();
     for (int k = 0; k < most_runs && !runs_.ended() && !settled_ && !at_noise_; ++k) {
-      if (k > 0 && !runs_.fits(2.0 * kNextCost * last_wall_s_, until_s_)) {
+      const bool is_there = runs_.find(study_run(scene_, rung_at(k))).has_value();
+      if (k > 0 && !is_there && !runs_.fits(2.0 * kNextCost * last_wall_s_, until_s_)) {
         found_.facts.out_of_time = true;
         break;
       }
@@ -58,17 +59,20 @@ class Search {
     const RungResult* before = finest(rungs_, method, true);
     first_ = (before != nullptr ? before : finest(rungs_, method, false))->rung;
     const double step = smallest_step(rungs_, first_.size);
-    if (before != nullptr && step > 0.99 * first_.size) {
+    if (before != nullptr)
       if (auto kept = runs_.find(study_run(scene_, first_))) last_trace_ = std::move(kept->trace);
-      last_wall_s_ = before->wall_s;
-    }
+    found_.first_is_halved = step > 0.99 * first_.size;
     step_factor_ = 0.5 * step / first_.size;
     found_.facts.method = first_.method;
   }
 
+  Rung rung_at(int k) const {
+    return refined(first_, step_factor_ * std::pow(0.5, k), kFirstTolerance * std::pow(kNextTolerance, k));
+  }
+
   /// False: the time has come, or no finer one runs.
   bool refine(int k) {
-    const Rung rung = refined(first_, step_factor_ * std::pow(0.5, k), kFirstTolerance * std::pow(kNextTolerance, k));
+    const Rung rung = rung_at(k);
     std::optional<KeptRun> kept = runs_.get(study_run(scene_, rung), until_s_);
     if (!kept) {
       found_.facts.out_of_time = !runs_.ended();
@@ -142,7 +146,7 @@ void set_reference_error(FoundReference& reference, std::size_t frames, double s
   facts.error_m = last;
   facts.settled = last <= kSettledShare * smallest_m;
   facts.at_noise = !reference.parting_m.empty() && last <= largest(reference.parting_m, frames);
-  if (count < 2 || last <= 0.0) return;
+  if (count < (reference.first_is_halved ? 2 : 3) || last <= 0.0) return;
   facts.order = std::log2(facts.change_m[count - 2] / last);
   facts.extrapolated = *facts.order >= kLeastOrder && *facts.order <= kMostOrder;
   if (facts.extrapolated) facts.error_m = last / (std::exp2(*facts.order) - 1.0);

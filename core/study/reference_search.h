@@ -10,6 +10,7 @@ struct FoundReference {
   FrameTrace trace;                           // empty: there is none
   std::vector<double> parting_m;              // of its twin, by frame; empty: there is none
   std::vector<std::vector<double>> change_m;  // from every refinement to the next, by frame
+  bool first_is_halved = false;               // the first of them: from a rung with twice its step
 };
 
 /// Refines SDIRK2, or the static solve, beyond all rungs that have a result: the step halves and Newton's tolerance

@@ -33,6 +33,14 @@ std::string three_digits(double value) {
   return text.data();
 }
 
+std::string step_text(double seconds) {
+  return seconds < 0.9995 ? three_digits(1e3 * seconds) + " ms" : three_digits(seconds) + " s";
+}
+
+std::string force_text(double newtons) {
+  return newtons < 0.9995e-6 ? three_digits(1e9 * newtons) + " nN" : three_digits(1e6 * newtons) + " uN";
+}
+
 /// Halves of what splits the time from frame to frame evenly.
 std::vector<double> steps_of(const Scene& scene) {
   const double frame = 1.0 / scene.frames_per_s;
@@ -48,7 +56,7 @@ Rung fixed_rung(const Scene& scene, const Method& method, double step) {
   numerics.integrator = method.integrator;
   numerics.time_step_s = step;
   numerics.smallest_step_s = std::min(numerics.smallest_step_s, step);
-  return {method.name, three_digits(1e3 * step) + " ms", step, numerics};
+  return {method.name, step_text(step), step, numerics};
 }
 
 Rung static_rung(const Scene& scene, double step, double factor) {
@@ -56,8 +64,7 @@ Rung static_rung(const Scene& scene, double step, double factor) {
   numerics.time_step_s = step;
   numerics.smallest_step_s = std::min(numerics.smallest_step_s, step);
   numerics.force_tolerance_n *= factor;
-  return {std::string(kStaticMethod),
-          three_digits(1e3 * step) + " ms " + three_digits(1e9 * numerics.force_tolerance_n) + " nN", step, numerics};
+  return {std::string(kStaticMethod), step_text(step) + " " + force_text(numerics.force_tolerance_n), step, numerics};
 }
 
 Rung accurate_rung(double tolerance) {
@@ -116,7 +123,7 @@ Rung refined(const Rung& rung, double step_factor, double tolerance_factor) {
                std::max(kLeastVelocityTolerance, tolerance_factor * numerics.velocity_tolerance_m_per_s));
   numerics.force_tolerance_n *= tolerance_factor;
   finer.size = numerics.time_step_s;
-  finer.label = three_digits(1e3 * finer.size) + " ms, reference";
+  finer.label = step_text(finer.size) + ", reference";
   return finer;
 }
 

@@ -13,11 +13,10 @@ namespace slipstitch {
 
 /// How far a run is from the reference. Positions up to the horizon, NaN where that leaves nothing to compare.
 struct RungErrors {
-  double position_m = 0.0;  // of any node at any frame
-  double most_m = 0.0;      // that 95 of 100 nodes keep to at any frame
-  double rms_m = 0.0;       // root mean square over nodes and frames
-  double stored_j = 0.0, force_n = 0.0,
-         length_m = 0.0;  // of what FrameTrace has of every frame, the largest of the run
+  double position_m = 0.0;                               // of any node at any frame
+  double most_m = 0.0;                                   // that 95 of 100 nodes keep to at any frame
+  double rms_m = 0.0;                                    // root mean square over nodes and frames
+  double stored_j = 0.0, force_n = 0.0, length_m = 0.0;  // of what FrameTrace has, at any frame of the run
 };
 
 /// Time of the baseline to the same error / that of the rung.
@@ -49,17 +48,16 @@ struct StudyReference {
   std::string method;
   std::string failure;  // why there is none; empty: there is one
   double step_s = 0.0, wall_s = 0.0;
-  int refinements = 0;           // runs beyond the finest rung
-  std::vector<double> change_m;  // of positions up to the horizon, from one refinement to the next
-  std::optional<double> order;   // of the last two changes
-  std::optional<double>
-      error_m;  // its own: what is left by that order where it fits (extrapolated), else the last change
-  bool extrapolated = false, settled = false;  // settled: the last change is below a tenth of every rung's error
-  bool at_noise = false;                       // the last change is no larger than what the twin's noise makes
-  bool out_of_time = false;                    // before it settled
-  std::optional<double>
-      twin_step_s;               // of the run with noise; none: there was none, and nothing is known of the horizon
-  double twin_distance_m = 0.0;  // largest, of the two runs at any frame
+  int refinements = 0;                // runs beyond the finest rung
+  std::vector<double> change_m;       // of positions up to the horizon, from one refinement to the next
+  std::optional<double> order;        // of the last two changes
+  std::optional<double> error_m;      // its own
+  bool extrapolated = false;          // what is left by that order, where it fits; otherwise error_m is the last change
+  bool settled = false;               // the last change is below a tenth of every rung's error
+  bool at_noise = false;              // the last change is no larger than what the twin's noise makes
+  bool out_of_time = false;           // before it settled
+  std::optional<double> twin_step_s;  // of the run with noise; none: nothing is known of the horizon
+  double twin_distance_m = 0.0;       // largest, of the two runs at any frame
 };
 
 /// Along the front.

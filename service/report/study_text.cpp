@@ -56,7 +56,7 @@ std::string about_reference(const WorkPrecision& study) {
   std::string text = "The reference is " + reference.method + " with steps of " + short_number(1e3 * reference.step_s) +
                      " ms (" + duration_text(reference.wall_s) + ")";
   if (!reference.error_m) return text + "; how far it is off is not known.";
-  text += ", which halving the step last changed by " + error_text(reference.change_m.back()) + orders_text(reference);
+  text += ", which its last refinement changed by " + error_text(reference.change_m.back()) + orders_text(reference);
   if (reference.settled) return text + ".";
   if (reference.at_noise) return text + ". It is no finer because noise at the start (below) moves it as far.";
   return text + ". It has not settled: that is more than a tenth of the smallest error in the table" +

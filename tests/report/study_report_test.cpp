@@ -179,7 +179,7 @@ TEST(StudyReport, SaysHowFarMotionCanBePredicted) {
 TEST(StudyReport, SaysWhatADigitCosts) {
   WorkPrecision study = sample_work_precision();
   // Along the front 10 mm, 0.1 s; 5, 0.2; 2.5, 0.4; 1, 0.5: ten times less error for five times the time.
-  EXPECT_NE(about_digits(study).find("from 10 mm to 1 mm x5,"), std::string::npos) << about_digits(study);
+  EXPECT_NE(about_digits(study).find("from 10 mm to 1 mm x5."), std::string::npos) << about_digits(study);
   study.digit_factor.reset();
   EXPECT_NE(about_digits(study).find("too short"), std::string::npos);
 }

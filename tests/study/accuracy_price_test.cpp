@@ -83,11 +83,20 @@ TEST(AccuracyPrice, AShortFrontHasNoPriceOfADigit) {
   EXPECT_TRUE(digit_prices(rungs).empty());
 }
 
+TEST(AccuracyPrice, WhatIsNotResolvedHasNoDigits) {
+  std::vector<RungResult> rungs{rung("A", 1.0, 3e-2, 1.0), rung("A", 0.5, 3e-4, 10.0), rung("A", 0.2, 3e-6, 20.0)};
+  rungs[2].resolved = false;
+  mark_front(rungs);
+  EXPECT_TRUE(rungs[2].on_front);
+  EXPECT_NEAR(*mean_digit_factor(rungs), std::sqrt(10.0), 1e-9);
+}
+
 TEST(AccuracyPrice, NoErrorAtAllIsAsGoodAsItGets) {
   std::vector<RungResult> rungs{rung("A", 1.0, 1e-3, 1.0), rung("A", 0.5, 0.0, 2.0)};
   mark_front(rungs);
   EXPECT_TRUE(rungs[0].on_front && rungs[1].on_front);
-  EXPECT_TRUE(std::isfinite(*mean_digit_factor(rungs)));
+  EXPECT_FALSE(mean_digit_factor(rungs));
+  EXPECT_TRUE(digit_prices(rungs).empty());
 }
 
 TEST(AccuracyPrice, OrdersAreOfOneMethodAndOfWhatIsResolved) {

@@ -73,6 +73,17 @@ TEST(Rungs, ALadderHasWhatTheSceneCanBeRunWith) {
   }
 }
 
+TEST(Rungs, NamesAreShort) {
+  Scene scene = smooth_swing();
+  EXPECT_EQ(rung_name(all_rungs(scene, false)[0]), "LINEARISED_EULER 16.7 ms");
+  EXPECT_EQ(rung_name(all_rungs(scene, false)[5]), "ACCURACY 1 mm");
+  scene.effects.inertia.reset();
+  scene.frames_per_s = 0.5;
+  scene.numerics = FixedNumerics{.time_step_s = 2.0};
+  EXPECT_EQ(rung_name(all_rungs(scene, false)[0]), "STATIC 2 s 1 uN");
+  EXPECT_EQ(rung_name(all_rungs(scene, false)[1]), "STATIC 2 s 30 nN");
+}
+
 TEST(Rungs, QuickIsAPartOfTheWhole) {
   std::set<std::string> whole;
   for (const Rung& rung : all_rungs(smooth_swing(), false)) whole.insert(exact_text(rung));

@@ -205,13 +205,27 @@ TEST(WorkPrecision, SaysThatThereWasNoTimeForATwinOrAReference) {
   EXPECT_TRUE(second.reference.out_of_time);
 }
 
+TEST(WorkPrecision, FindsNoOrderFromStepsThatAreNotHalves) {
+  CountingShelf shelf;
+  const WorkPrecision study = with_budget(shelf, 3.0 * 51.0);
+  EXPECT_EQ(rung_of(study, "SDIRK2", 3).no_result, "");  // 16.7 ms, and the baseline half of that
+  EXPECT_NE(rung_of(study, "SDIRK2", 2).no_result, "");
+  EXPECT_NEAR(study.reference.step_s, 1.0 / 240 / (1 << (study.reference.refinements - 1)), 1e-9);
+  ASSERT_EQ(study.reference.change_m.size(), static_cast<std::size_t>(study.reference.refinements));
+  EXPECT_EQ(study.reference.order.has_value(), study.reference.refinements > 2);
+  EXPECT_TRUE(study.reference.error_m);
+}
+
 TEST(WorkPrecision, KeepsWhatIsThereWhenTheTimeIsUp) {
   CountingShelf shelf;
-  study_work_precision(smooth_swing(), quick_on(shelf));
+  const WorkPrecision whole_study = study_work_precision(smooth_swing(), quick_on(shelf));
   const int runs = shelf.kept;
   const WorkPrecision study = with_budget(shelf, 1e-9);
   EXPECT_EQ(shelf.kept, runs);
   for (const RungResult& r : study.rungs) EXPECT_TRUE(r.errors) << rung_name(r.rung);
+  EXPECT_GT(study.reference.refinements, 1);
+  EXPECT_EQ(study.reference.step_s, whole_study.reference.step_s);
+  EXPECT_EQ(study.reference.error_m, whole_study.reference.error_m);
 }
 
 TEST(WorkPrecision, ListsWhatFailsAndNamesItWhereNothingRuns) {
