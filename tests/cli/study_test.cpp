@@ -57,7 +57,7 @@ TEST_F(StudyCommand, PrintsOneJsonObject) {
   const auto json = nlohmann::json::parse(end.out);
   EXPECT_EQ(json["scene"], "swing");
   EXPECT_EQ(json["finished"], true);
-  EXPECT_EQ(json["rungs"].size(), 20U);
+  EXPECT_EQ(json["rungs"].size(), 23U);
   EXPECT_GT(json["rungs"][0]["position_error_m"].get<double>(), json["reference"]["error_m"].get<double>());
   EXPECT_TRUE(json["horizon_s"].is_null());
 }

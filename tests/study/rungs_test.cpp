@@ -51,6 +51,7 @@ TEST(Rungs, KeepTheRestOfTheNumerics) {
   scene.numerics =
       FixedNumerics{.velocity_tolerance_m_per_s = 3e-5, .max_newton_iterations = 17, .smallest_step_s = 1e-3};
   for (const Rung& rung : ladder(scene, false)) {
+    if (rung.method == kAccuracyMethod) continue;
     const auto& fixed = std::get<FixedNumerics>(rung.numerics);
     EXPECT_EQ(fixed.velocity_tolerance_m_per_s, 3e-5);
     EXPECT_EQ(fixed.max_newton_iterations, 17);
