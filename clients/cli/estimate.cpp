@@ -51,10 +51,12 @@ Estimate estimate(const Scene& given) {
   estimate.dofs = simulation.num_dofs();
   estimate.hessian_nonzeros = simulation.num_nonzeros();
   if (const auto built = peak_memory_bytes()) {
-    estimate.memory_bytes = static_cast<double>(*built) + factor_bytes(estimate.dofs);
+    const int factors = std::holds_alternative<AccuracyNumerics>(scene.numerics) ? 2 : 1;  // the companion's too
+    estimate.memory_bytes = static_cast<double>(*built) + factors * factor_bytes(estimate.dofs);
   }
   // A static scene is one solve, of as many iterations as it takes.
-  if (scene.effects.inertia) estimate.wall_s = static_cast<double>(estimate.least_steps) * step_s(estimate.dofs);
+  if (scene.effects.inertia && estimate.least_steps)
+    estimate.wall_s = static_cast<double>(*estimate.least_steps) * step_s(estimate.dofs);
   return estimate;
 }
 

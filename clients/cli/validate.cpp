@@ -28,6 +28,7 @@ struct ValidateOptions {
 Json to_json(const std::string& scene, const Estimate& estimate, const std::vector<std::string>& remarks) {
   const auto& memory = estimate.memory_bytes;
   const auto& wall = estimate.wall_s;
+  const auto& steps = estimate.least_steps;
   return {{"valid", true},
           {"scene", scene},
           {"loops", estimate.loops},
@@ -35,7 +36,7 @@ Json to_json(const std::string& scene, const Estimate& estimate, const std::vect
           {"dofs", estimate.dofs},
           {"effects", estimate.effects},
           {"frames", estimate.frames},
-          {"least_steps", estimate.least_steps},
+          {"least_steps", steps ? Json(*steps) : Json()},
           {"hessian_nonzeros", estimate.hessian_nonzeros},
           {"estimated_memory_bytes", memory ? Json(static_cast<long>(*memory)) : Json()},
           {"estimated_wall_s", wall ? Json(*wall) : Json()},
@@ -63,14 +64,15 @@ std::string to_text(const std::string& scene, const Estimate& estimate, const st
   const std::string loops = estimate.loops > 0 ? count_of(estimate.loops, "loop", "loops") + ", " : "";
   const auto& memory = estimate.memory_bytes;
   const auto& wall = estimate.wall_s;
+  const auto& steps = estimate.least_steps;
   Rows rows{{"fabric",
              loops + count_of(estimate.nodes, "node", "nodes") + ", " + count_of(estimate.dofs, "unknown", "unknowns")},
             {"effects", effects.empty() ? "none" : effects},
-            {"output", count_of(estimate.frames, "frame", "frames") + " in at least " +
-                           count_of(estimate.least_steps, "step", "steps")},
+            {"output", count_of(estimate.frames, "frame", "frames") + " in " +
+                           (steps ? "at least " + count_of(*steps, "step", "steps") : "as many steps as it takes")},
             {"memory", memory ? "about " + bytes_text(*memory) : "not known"},
             {"time", wall ? "about " + duration_text(*wall) + ", roughly estimated from the unknowns"
-                          : "not known for static solves"}};
+                          : std::string("not known for ") + (steps ? "static solves" : "a tolerance")}};
   for (const std::string& remark : remarks) rows.emplace_back("note", wrap_words(remark, kWidth));
   return scene + ": valid\n" + two_columns(rows);
 }

@@ -84,6 +84,23 @@ TEST(SummaryText, ShowsWhatWasMeasuredAndNothingElse) {
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 80U) << line;
 }
 
+TEST(SummaryText, TellsTheErrorAndFromWhereOnThatIsNotKept) {
+  nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}, {"error_estimate_m", nullptr}};
+  EXPECT_EQ(summary_text(json).find("error"), std::string::npos);
+  json["error_estimate_m"] = 3e-4;
+  EXPECT_NE(summary_text(json).find("of positions at frames about 0.3 mm"), std::string::npos) << summary_text(json);
+  EXPECT_EQ(summary_text(json).find("predictable"), std::string::npos);
+  json["predictable_until_s"] = 0.25;
+  EXPECT_NE(summary_text(json).find("not predictable to the tolerance beyond 0.25 s"), std::string::npos);
+}
+
+TEST(ProgressLine, TellsTheErrorWhereThereIsAnEstimate) {
+  Progress progress = sample_progress();
+  EXPECT_EQ(progress_line(progress, {}, 120).find("error"), std::string::npos);
+  progress.error_estimate_m = 3e-4;
+  EXPECT_NE(progress_line(progress, {}, 120).find("error ~0.3 mm"), std::string::npos);
+}
+
 TEST(SummaryText, SaysWhatWasLeftOutAndThatItIsNoGuarantee) {
   nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}};
   auto& choice = json["effect_choice"];

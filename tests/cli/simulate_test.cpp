@@ -175,6 +175,15 @@ TEST_F(Simulate, ValidateGivesNoTimeForStaticScenes) {
   EXPECT_TRUE(json::parse(end.out).at("estimated_wall_s").is_null()) << end.out;
 }
 
+TEST_F(Simulate, ValidateInventsNoStepsWhereTheRunChoosesThem) {
+  const std::vector<std::string> asked{"validate", scene(), "--set", "accuracy.tolerance_m=1e-4"};
+  const std::string text = slipstitch(asked).out;
+  EXPECT_NE(text.find("in as many steps as it takes"), std::string::npos) << text;
+  EXPECT_NE(text.find("not known for a tolerance"), std::string::npos) << text;
+  const json found = json::parse(slipstitch({asked[0], asked[1], asked[2], asked[3], "--json"}).out);
+  EXPECT_TRUE(found.at("least_steps").is_null() && found.at("estimated_wall_s").is_null()) << found;
+}
+
 TEST_F(Simulate, ARunWithoutAnEndIsExportedAsFarAsItGoes) {
   ASSERT_EQ(run().exit_code, 0);
   const std::string log = folder_ / "out" / "frames.log";

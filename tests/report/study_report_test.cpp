@@ -3,45 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "report/study_columns.h"
 #include "report/study_text.h"
+#include "support/csv_cells.h"
 #include "support/sample_study.h"
 
 namespace slipstitch::test {
 namespace {
-
-std::vector<std::string> lines_in(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
-}
-
-std::vector<std::string> csv_cells(const std::string& line) {
-  std::vector<std::string> cells{""};
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') quoted = !quoted;
-    if (c == ',' && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  return cells;
-}
-
-std::string csv_cell(const std::string& csv, std::size_t row, const std::string& column) {
-  const auto lines = lines_in(csv);
-  const auto head = csv_cells(lines[0]);
-  const auto found = std::find(head.begin(), head.end(), column);
-  EXPECT_NE(found, head.end()) << column;
-  return csv_cells(lines[row])[static_cast<std::size_t>(found - head.begin())];
-}
 
 std::size_t count_in(const std::string& text, const std::string& part) {
   std::size_t count = 0;
@@ -51,29 +21,29 @@ std::size_t count_in(const std::string& text, const std::string& part) {
 
 TEST(StudyReport, CsvHasARowARung) {
   const std::string csv = study_csv(sample_work_precision());
-  const auto lines = lines_in(csv);
+  const auto lines = lines_of(csv);
   ASSERT_EQ(lines.size(), 10U);
-  for (const std::string& line : lines) EXPECT_EQ(csv_cells(line).size(), csv_cells(lines[0]).size()) << line;
-  EXPECT_EQ(csv_cell(csv, 1, "method"), "LINEARISED_EULER");
-  EXPECT_EQ(csv_cell(csv, 5, "rung"), "\"SDIRK2 8.33 ms\"");
-  EXPECT_EQ(csv_cell(csv, 5, "step_s"), "0.00833333333");
-  EXPECT_EQ(csv_cell(csv, 5, "tolerance_m"), "");
-  EXPECT_EQ(csv_cell(csv, 5, "position_error_m"), "0.00025");
-  EXPECT_EQ(csv_cell(csv, 5, "order"), "2");
-  EXPECT_EQ(csv_cell(csv, 5, "factorizations"), "170");
-  EXPECT_EQ(csv_cell(csv, 5, "speedup"), "4");  // 0.4 s to 2.5 mm: 4 s to a tenth of that
-  EXPECT_EQ(csv_cell(csv, 5, "speedup_extrapolated"), "1");
-  EXPECT_EQ(csv_cell(csv, 4, "force_error_n"), "");  // not finite
-  EXPECT_EQ(csv_cell(csv, 6, "resolved"), "0");
-  EXPECT_EQ(csv_cell(csv, 6, "predictable_until_s"), "0.1");
-  EXPECT_EQ(csv_cell(csv, 1, "reference_error_m"), "1e-06");
-  EXPECT_EQ(csv_cell(csv, 7, "failed"), "1");
-  EXPECT_EQ(csv_cell(csv, 8, "failed"), "0");
-  EXPECT_EQ(csv_cell(csv, 8, "wall_s"), "");
+  for (const std::string& line : lines) EXPECT_EQ(cells_of(line).size(), cells_of(lines[0]).size()) << line;
+  EXPECT_EQ(cell(csv, 1, "method"), "LINEARISED_EULER");
+  EXPECT_EQ(cell(csv, 5, "rung"), "\"SDIRK2 8.33 ms\"");
+  EXPECT_EQ(cell(csv, 5, "step_s"), "0.00833333333");
+  EXPECT_EQ(cell(csv, 5, "tolerance_m"), "");
+  EXPECT_EQ(cell(csv, 5, "position_error_m"), "0.00025");
+  EXPECT_EQ(cell(csv, 5, "order"), "2");
+  EXPECT_EQ(cell(csv, 5, "factorizations"), "170");
+  EXPECT_EQ(cell(csv, 5, "speedup"), "4");  // 0.4 s to 2.5 mm: 4 s to a tenth of that
+  EXPECT_EQ(cell(csv, 5, "speedup_extrapolated"), "1");
+  EXPECT_EQ(cell(csv, 4, "force_error_n"), "");  // not finite
+  EXPECT_EQ(cell(csv, 6, "resolved"), "0");
+  EXPECT_EQ(cell(csv, 6, "predictable_until_s"), "0.1");
+  EXPECT_EQ(cell(csv, 1, "reference_error_m"), "1e-06");
+  EXPECT_EQ(cell(csv, 7, "failed"), "1");
+  EXPECT_EQ(cell(csv, 8, "failed"), "0");
+  EXPECT_EQ(cell(csv, 8, "wall_s"), "");
   WorkPrecision study = sample_work_precision();
   study.rungs[0].rung = {std::string(kAccuracyMethod), "0.1 mm", 1e-4, AccuracyNumerics{}};
-  EXPECT_EQ(csv_cell(study_csv(study), 1, "tolerance_m"), "0.0001");
-  EXPECT_EQ(csv_cell(study_csv(study), 1, "step_s"), "");
+  EXPECT_EQ(cell(study_csv(study), 1, "tolerance_m"), "0.0001");
+  EXPECT_EQ(cell(study_csv(study), 1, "step_s"), "");
 }
 
 TEST(StudyReport, MarkdownHasTheTablesAndWhatIsMissing) {

@@ -103,6 +103,14 @@ std::string newton_line(const Json& json) {
   return line;
 }
 
+std::string error_line(const Json& json) {
+  const auto error = number(json, "error_estimate_m");
+  if (!error) return {};
+  const auto until = number(json, "predictable_until_s");
+  return "of positions at frames about " + metres_text(*error) + ", by the run's own estimate" +
+         (until ? "\nnot predictable to the tolerance beyond " + short_number(*until) + " s" : "");
+}
+
 std::string sliding_line(const Json& json) {
   const auto largest = number(json, "max_slid_m"), mean = number(json, "mean_slid_m");
   if (!largest) return {};
@@ -216,6 +224,7 @@ std::string summary_text(const Json& json, const Rows& more) {
   add("left out", choice_lines(json));
   add("simulated", time_line(json));
   add("Newton", newton_line(json));
+  add("error", error_line(json));
   add("sliding", sliding_line(json));
   add("wraps", wraps_line(json));
   add("overlaps", overlaps_line(json));
