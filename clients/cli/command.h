@@ -21,6 +21,7 @@ Command add_submit(CLI::App& root);
 Command add_list(CLI::App& root);
 Command add_get(CLI::App& root);
 Command add_watch(CLI::App& root);
+Command add_artefacts(CLI::App& root);
 Command add_cancel(CLI::App& root);
 Command add_delete(CLI::App& root);
 Command add_frames(CLI::App& root);

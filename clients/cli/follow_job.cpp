@@ -16,14 +16,18 @@ namespace {
 void show(const v1::SimJob& job, ProgressBar& bar) {
   if (job.state() == v1::SimJob::QUEUED) return bar.show(job.name() + " waits in the queue");
   if (!job.has_progress()) return bar.show(job.name() + " starts");
-  bar.show(progress_from(job.progress()), eta_from(job.progress()));
+  const v1::JobProgress& progress = job.progress();
+  if (job.has_study()) return bar.show_share(progress.share_done(), progress.doing(), eta_from(job));
+  bar.show(progress_from(progress), eta_from(job));
 }
 
-void print_end(const v1::SimJob& job, bool json) {
+void print_end(const v1::SimJob& job, const Connection& connection, bool json) {
   if (json) {
     std::cout << job_json(job).dump(2) << std::endl;
   } else {
     std::cout << job_summary_text(job) << std::flush;
+    if (job.has_study() && job.state() != v1::SimJob::CANCELLED)
+      note("To fetch the report:\n  " + command_for("artefacts", job.name(), connection) + " --out DIR");
   }
   if (job.state() == v1::SimJob::FAILED) complain(job.name() + " failed: " + remote_error(job.error()).message);
   if (job.state() == v1::SimJob::CANCELLED) complain(job.name() + " was cancelled");
@@ -41,7 +45,7 @@ int follow_job(const Connection& connection, const std::string& name, Interrupt&
       });
   bar.finish();
   if (end) {
-    print_end(*end, json);
+    print_end(*end, connection, json);
     return exit_code_of(end->state());
   }
   if (end.error.code != grpc::StatusCode::OK) return report_error(end.error, connection);

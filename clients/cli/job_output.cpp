@@ -30,7 +30,13 @@ std::string time_text(const Timestamp& time) {  // to the second
 
 Json progress_json(const v1::SimJob& job) {
   if (!job.has_progress()) return {};
-  return to_json(ProgressInfo{progress_from(job.progress()), eta_from(job.progress()), {}});
+  const v1::JobProgress& progress = job.progress();
+  return to_json(ProgressInfo{progress_from(progress), eta_from(job), {}, progress.share_done(), progress.doing()});
+}
+
+Json work_json(const v1::SimJob& job) {
+  if (job.has_study()) return {{"study", {{"quick", job.study().quick()}, {"budget_s", job.study().budget_s()}}}};
+  return {{"simulate", Json::object()}};
 }
 
 Json error_json(const v1::SimJob& job) {
@@ -59,6 +65,7 @@ Json job_json(const v1::SimJob& job) {
             {"revision", job.revision()},
             {"request_id", job.request_id()},
             {"scene_name", job.scene_name()},
+            {"work", work_json(job)},
             {"threads", job.threads()},
             {"spec_hash", job.spec_hash()},
             {"create_time", time_json(job.has_create_time(), job.create_time())},
@@ -74,13 +81,15 @@ Json job_json(const v1::SimJob& job) {
 }
 
 std::string job_text(const v1::SimJob& job) {
-  Rows rows{{"scene", job.scene_name().empty() ? "(no name)" : job.scene_name()}, {"state", state_text(job)}};
+  Rows rows{{"scene", job.scene_name().empty() ? "(no name)" : job.scene_name()},
+            {"work", work_text(job)},
+            {"state", state_text(job)}};
   if (job.has_error()) rows.emplace_back("error", remote_error(job.error()).message);
   if (job.has_progress() && job.state() == v1::SimJob::RUNNING) {
     const v1::JobProgress& progress = job.progress();
-    rows.emplace_back("progress", progress_text(job) + ", frame " + thousands(progress.frames()) + " of " +
-                                      thousands(progress.num_frames()));
-    if (const auto eta = eta_from(progress)) rows.emplace_back("to go", duration_text(*eta));
+    const std::string frames = "frame " + thousands(progress.frames()) + " of " + thousands(progress.num_frames());
+    rows.emplace_back("progress", progress_text(job) + ", " + (job.has_study() ? progress.doing() : frames));
+    if (const auto eta = eta_from(job)) rows.emplace_back("to go", duration_text(*eta));
   }
   rows.emplace_back("created", create_time_text(job));
   if (job.has_start_time()) rows.emplace_back("started", time_text(job.start_time()));
@@ -101,9 +110,16 @@ std::string state_text(const v1::SimJob& job) {
 }
 
 std::string progress_text(const v1::SimJob& job) {
-  if (!job.has_progress() || job.progress().duration_s() <= 0.0) return {};
-  const double share = std::clamp(job.progress().t() / job.progress().duration_s(), 0.0, 1.0);
+  if (!job.has_progress()) return {};
+  const double share = std::clamp(job.progress().share_done(), 0.0, 1.0);
   return std::to_string(static_cast<int>(std::floor(100.0 * share))) + " %";
+}
+
+std::string work_text(const v1::SimJob& job) {
+  if (!job.has_study()) return "simulate";
+  const double budget_s = job.study().budget_s();
+  return (job.study().quick() ? "quick study" : "study") +
+         (budget_s > 0.0 ? ", at most " + duration_text(budget_s) : "");
 }
 
 std::string create_time_text(const v1::SimJob& job) {
@@ -125,8 +141,9 @@ Progress progress_from(const v1::JobProgress& message) {
   return progress;
 }
 
-std::optional<double> eta_from(const v1::JobProgress& message) {
-  return message.has_eta_s() ? std::optional(message.eta_s()) : estimate_eta(progress_from(message));
+std::optional<double> eta_from(const v1::SimJob& job) {
+  if (job.progress().has_eta_s()) return job.progress().eta_s();
+  return job.has_study() ? std::nullopt : estimate_eta(progress_from(job.progress()));
 }
 
 int exit_code_of(v1::SimJob::State state) {

@@ -20,11 +20,12 @@ std::string job_text(const v1::SimJob& job);
 std::string job_summary_text(const v1::SimJob& job);
 
 std::string state_text(const v1::SimJob& job);     // "RUNNING, cancel requested"
+std::string work_text(const v1::SimJob& job);      // "simulate", "quick study, at most 60 s"
 std::string progress_text(const v1::SimJob& job);  // "47 %"; empty: none
 std::string create_time_text(const v1::SimJob& job);
 
 Progress progress_from(const v1::JobProgress& message);
-std::optional<double> eta_from(const v1::JobProgress& message);
+std::optional<double> eta_from(const v1::SimJob& job);
 
 /// Of a job that ended: 0, 1 or 4.
 int exit_code_of(v1::SimJob::State state);

@@ -36,10 +36,10 @@ void print_json(const std::vector<v1::SimJob>& jobs) {
 }
 
 void print_table(const std::vector<v1::SimJob>& jobs) {
-  std::vector<std::vector<std::string>> rows{{"JOB", "STATE", "DONE", "CREATED", "SCENE"}};
+  std::vector<std::vector<std::string>> rows{{"JOB", "STATE", "DONE", "WORK", "CREATED", "SCENE"}};
   for (const v1::SimJob& job : jobs) {
-    rows.push_back(
-        {job.name(), v1::SimJob::State_Name(job.state()), progress_text(job), create_time_text(job), job.scene_name()});
+    rows.push_back({job.name(), v1::SimJob::State_Name(job.state()), progress_text(job),
+                    job.has_study() ? "study" : "simulate", create_time_text(job), job.scene_name()});
   }
   std::cout << table(rows) << std::flush;
 }

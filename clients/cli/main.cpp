@@ -16,9 +16,9 @@ namespace {
 using namespace slipstitch;
 
 std::vector<Command> add_commands(CLI::App& app) {
-  return {add_simulate(app), add_validate(app), add_effects(app), add_study(app), add_export(app),
-          add_serve(app),    add_submit(app),   add_list(app),    add_get(app),   add_watch(app),
-          add_frames(app),   add_cancel(app),   add_delete(app)};
+  return {add_simulate(app), add_validate(app),  add_effects(app), add_study(app), add_export(app),
+          add_serve(app),    add_submit(app),    add_list(app),    add_get(app),   add_watch(app),
+          add_frames(app),   add_artefacts(app), add_cancel(app),  add_delete(app)};
 }
 
 // Empty when the word is a command or an option. CLI11 would only say that it did not expect it.

@@ -14,11 +14,10 @@
 #include "jobs/worker_environment.h"
 #include "platform/blas.h"
 #include "platform/version.h"
-#include "report/study_report.h"
-#include "run_dir/atomic_file.h"
 #include "run_dir/study_dir.h"
 #include "scene_io/spec_hash.h"
-#include "study/choose_effects.h"
+#include "studies/run_study.h"
+#include "studies/study_json.h"
 
 namespace slipstitch {
 namespace {
@@ -41,61 +40,10 @@ std::string study_command_line(const StudyCommandOptions& options) {
   return line;
 }
 
-IoError write_study(const StudyCommandOptions& options, const WorkPrecision& study) {
-  const std::string command = study_command_line(options);
-  std::vector<std::pair<std::string, std::string>> files{{"study.csv", study_csv(study)},
-                                                         {"study.md", study_markdown(study, command)},
-                                                         {"study.html", study_page(study, command)}};
-  for (const StudyAxis axis : {StudyAxis::wall_time, StudyAxis::newton_iterations})
-    files.emplace_back(study_plot_file(axis), study_plot(study, axis));
-  for (const auto& [name, content] : files)
-    if (IoError error = write_file_atomic(std::filesystem::path(options.out) / name, content); !error.empty())
-      return error;
-  return {};
-}
-
-template <class T>
-nlohmann::ordered_json or_null(const std::optional<T>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
-}
-
-nlohmann::ordered_json rung_json(const RungResult& r) {
-  nlohmann::ordered_json json{{"rung", rung_name(r.rung)}, {"method", r.rung.method}};
-  if (!r.no_result.empty()) {
-    json["no_result"] = r.no_result;
-    return json;
-  }
-  json["wall_s"] = r.wall_s;
-  json["newton_iterations"] = r.newton_iterations;
-  json["position_error_m"] = r.errors ? nlohmann::ordered_json(r.errors->position_m) : nlohmann::ordered_json();
-  json["error_estimate_m"] = or_null(r.error_estimate_m);
-  for (const auto& [key, speedup] :
-       {std::pair{"speedup", &r.speedup}, std::pair{"speedup_of_95_percent", &r.speedup_most}})
-    json[key] = *speedup
-                    ? nlohmann::ordered_json{{"factor", (*speedup)->factor}, {"extrapolated", (*speedup)->extrapolated}}
-                    : nlohmann::ordered_json();
-  json["on_front"] = r.on_front;
+nlohmann::ordered_json command_json(const StudyCommandOptions& options, const WorkPrecision& study) {
+  nlohmann::ordered_json json{{"out", options.out}};
+  json.update(study_json(study));
   return json;
-}
-
-nlohmann::ordered_json study_json(const StudyCommandOptions& options, const WorkPrecision& study) {
-  auto rungs = nlohmann::ordered_json::array();
-  for (const RungResult& result : study.rungs) rungs.push_back(rung_json(result));
-  const StudyReference& reference = study.reference;
-  return {{"out", options.out},
-          {"csv", "study.csv"},
-          {"page", "study.html"},
-          {"plots", {study_plot_file(StudyAxis::wall_time), study_plot_file(StudyAxis::newton_iterations)}},
-          {"scene", study.scene},
-          {"finished", !study.stopped && study.failure.empty()},
-          {"reference",
-           {{"method", reference.method},
-            {"step_s", reference.refinements > 0 ? nlohmann::ordered_json(reference.step_s) : nlohmann::ordered_json()},
-            {"error_m", or_null(reference.error_m)},
-            {"settled", reference.settled}}},
-          {"horizon_s", or_null(study.horizon_s)},
-          {"digit_factor", or_null(study.digit_factor)},
-          {"rungs", rungs}};
 }
 
 class StudyCommandRun {
@@ -105,28 +53,21 @@ class StudyCommandRun {
           bar_.clear();
           note("Stopping; what has been run is kept. Ctrl-C again ends at once.");
         }) {
-    work_.quick = options.quick;
-    work_.threads = threads;
-    work_.budget_s = options.budget_s;
-    work_.shelf = &dir;
-    work_.should_stop = [this] { return interrupt_.requested(); };
+    order_.work = {options.quick, options.budget_s};
+    order_.threads = threads;
+    order_.report = options.out;
+    order_.command = study_command_line(options);
+    order_.should_stop = [this] { return interrupt_.requested(); };
   }
 
   int go(Scene scene) {
-    WorkPrecision study;
-    if (scene.effects.automatic) {
-      bar_.show("choosing the effects of " + scene.name);
-      ChosenScene chosen = choose_effects(scene, work_.threads, work_.should_stop);
-      study.stopped = chosen.cancelled;
-      scene = std::move(chosen.scene);
-    }
-    work_.on_progress = [&](double share, const std::string& what) {
-      bar_.show_share(share, scene.name + ", " + what);
+    order_.on_progress = [this, name = scene.name](double share, const std::string& what) {
+      bar_.show_share(share, name + ", " + what);
     };
-    if (!study.stopped) study = study_work_precision(scene, work_);
+    const StudyEnd end = run_study(std::move(scene), dir_, order_);
     bar_.clear();
-    const int code = study.stopped ? interrupted() : report(study);
-    if (options_.json) std::cout << study_json(options_, study).dump(2) << std::endl;
+    const int code = end.study.stopped ? interrupted() : report(end);
+    if (options_.json) std::cout << command_json(options_, end.study).dump(2) << std::endl;
     return code;
   }
 
@@ -137,19 +78,12 @@ class StudyCommandRun {
     return kExitInterrupted;
   }
 
-  int report(const WorkPrecision& study) {
-    if (!study.failure.empty()) {
-      complain(study.scene + " cannot be studied: " + study.failure);
-      return kExitFailed;
-    }
-    if (!options_.json) std::cout << study_table(study) << std::endl;
-    if (const IoError error = write_study(options_, study); !error.empty()) {
-      complain(error);
-      return kExitFailed;
-    }
-    note("Table, plots and one page of all are in '" + options_.out + "'.");
-    if (study.reference.failure.empty()) return kExitDone;
-    complain("there is no reference: " + study.reference.failure);
+  int report(const StudyEnd& end) {
+    if (end.study.failure.empty() && !options_.json) std::cout << study_table(end.study) << std::endl;
+    if (end.reported) note("Table, plots and one page of all are in '" + options_.out + "'.");
+    const std::string problem = why_failed(end);
+    if (problem.empty()) return kExitDone;
+    complain(problem);
     return kExitFailed;
   }
 
@@ -157,7 +91,7 @@ class StudyCommandRun {
   StudyDir& dir_;
   ProgressBar bar_;
   Interrupt interrupt_;
-  WorkPrecisionOptions work_;
+  StudyOrder order_;
 };
 
 int study(const StudyCommandOptions& options) {

@@ -16,14 +16,20 @@ struct SubmitOptions {
   SceneOptions scene;
   std::string server, request_id;
   int threads = 0;
-  bool wait = false, json = false;
+  double budget_s = 0.0;
+  bool study = false, quick = false, wait = false, json = false;
 };
 
 v1::CreateSimJobRequest request_from(const LoadedScene& scene, const SubmitOptions& options) {
   v1::CreateSimJobRequest request;
   *request.mutable_spec()->mutable_scene() = scene.message;
   request.mutable_spec()->set_threads(static_cast<std::uint32_t>(options.threads));
-  request.mutable_spec()->mutable_simulate();
+  if (options.study) {
+    request.mutable_spec()->mutable_study()->set_quick(options.quick);
+    request.mutable_spec()->mutable_study()->set_budget_s(options.budget_s);
+  } else {
+    request.mutable_spec()->mutable_simulate();
+  }
   request.set_request_id(options.request_id);
   return request;
 }
@@ -53,6 +59,12 @@ Command add_submit(CLI::App& root) {
   CLI::App* app = root.add_subcommand("submit", "Send a scene to a server; prints the name of the job");
   add_scene_options(*app, options->scene);
   add_threads_option(*app, options->threads);
+  CLI::Option* study = app->add_flag("--study", options->study, "Study what accuracy costs, in place of a simulation");
+  app->add_flag("--quick", options->quick, "A study of fewer ways, and a coarser reference")->needs(study);
+  app->add_option("--budget", options->budget_s, "Wall time for a whole study; what does not fit is not run")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber.description(""))
+      ->needs(study);
   app->add_option("--request-id", options->request_id, "The same ID and scene give the same job, once")
       ->type_name("ID");
   app->add_flag("--wait", options->wait, "Show progress until the job ends, and end like it");

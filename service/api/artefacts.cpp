@@ -8,15 +8,17 @@
 namespace slipstitch {
 namespace {
 
-constexpr char kScene[] = "scene.json";
+constexpr char kScene[] = "scene.json", kSummary[] = "summary.json";
 
 std::filesystem::path artefact_path(const RunDir& dir, const std::string& file) {
+  if (file == kSummary) return dir.summary();
   return file == kScene ? dir.scene() : dir.report() / file;
 }
 
 std::vector<std::string> artefact_files(const RunDir& dir) {
   std::vector<std::string> files = list_artefacts(dir);
   files.emplace_back(kScene);
+  if (has_summary(dir)) files.emplace_back(kSummary);
   std::sort(files.begin(), files.end());
   files.erase(std::unique(files.begin(), files.end()), files.end());
   return files;

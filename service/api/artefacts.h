@@ -11,7 +11,7 @@
 
 namespace slipstitch {
 
-/// scene.json and the files in report/, by name.
+/// scene.json, the files in report/ and, once there is one, summary.json, by name.
 v1::ListArtefactsResponse artefacts_of(const std::string& id, const RunDir& dir);
 
 /// One of them, read in pieces. What is added to the file after open() is left out.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "model/check_values.h"
 #include "scene_io/load_scene.h"
 #include "scene_io/message_json.h"
 #include "scene_io/read_message.h"
@@ -33,6 +34,18 @@ void add_scene_issues(const v1::Scene& scene_message, LoadResult& loaded, Issues
   }
 }
 
+void check_work(const v1::SimJobSpec& spec, Issues& issues) {
+  switch (spec.work_case()) {
+    case v1::SimJobSpec::kSimulate:
+      return check_unknown(spec.simulate(), "spec.simulate", issues);
+    case v1::SimJobSpec::kStudy:
+      check_unknown(spec.study(), "spec.study", issues);
+      return Checker(issues).not_negative("spec.study.budget_s", spec.study().budget_s());
+    case v1::SimJobSpec::WORK_NOT_SET:
+      issues.push_back({"spec.work", "missing", "exactly one kind of work: simulate or study"});
+  }
+}
+
 // Besides the scene.
 void check_spec(const v1::CreateSimJobRequest& request, Issues& issues) {
   check_unknown(request, "", issues);
@@ -42,9 +55,7 @@ void check_spec(const v1::CreateSimJobRequest& request, Issues& issues) {
     return;
   }
   if (!request.spec().has_scene()) issues.push_back({"spec.scene", "missing", "a Scene"});
-  if (request.spec().work_case() == v1::SimJobSpec::WORK_NOT_SET) {
-    issues.push_back({"spec.work", "missing", "exactly one kind of work: simulate"});
-  }
+  check_work(request.spec(), issues);
 }
 
 jobs::NewJob new_job(const v1::CreateSimJobRequest& request, v1::Scene scene) {
@@ -53,6 +64,8 @@ jobs::NewJob new_job(const v1::CreateSimJobRequest& request, v1::Scene scene) {
   job.scene_name = scene.name();
   job.scene_json = json_text(scene);
   job.threads = static_cast<int>(std::min<std::uint32_t>(request.spec().threads(), std::numeric_limits<int>::max()));
+  if (request.spec().has_study())
+    job.study = StudyWork{request.spec().study().quick(), request.spec().study().budget_s()};
   v1::SimJobSpec spec = request.spec();
   *spec.mutable_scene() = std::move(scene);
   job.spec_hash = [spec = std::move(spec)](int threads) mutable {

@@ -20,6 +20,10 @@ std::optional<jobs::Error> check_range(const v1::StreamFramesRequest& request) {
   return jobs::invalid_field("end_index", std::to_string(request.end_index()), "at least first_index");
 }
 
+std::optional<jobs::Error> check_has_frames(const jobs::Job& job) {
+  return job.info.study ? std::optional(jobs::no_frames(job.id)) : std::nullopt;
+}
+
 FrameSource::FrameSource(const RunDir& dir, const v1::StreamFramesRequest& request)
     : log_(dir.frames()),
       follow_(request.follow()),

@@ -16,6 +16,9 @@ namespace slipstitch {
 /// What is wrong with a request besides its name; empty: nothing.
 std::optional<jobs::Error> check_range(const v1::StreamFramesRequest& request);
 
+/// Why a job never has frames; empty: it may.
+std::optional<jobs::Error> check_has_frames(const jobs::Job& job);
+
 /// Cuts a job's frame log into the messages of one StreamFrames call. Knows no gRPC.
 class FrameSource {
  public:

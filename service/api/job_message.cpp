@@ -29,6 +29,16 @@ void set_progress(const ProgressInfo& info, v1::JobProgress& message) {
   message.set_wall_s(progress.wall_s);
   if (info.eta_s) message.set_eta_s(*info.eta_s);
   if (progress.error_estimate_m) message.set_error_estimate_m(*progress.error_estimate_m);
+  message.set_share_done(info.share_done);
+}
+
+void set_work(const JobInfo& info, v1::SimJob& message) {
+  if (!info.study) {
+    message.mutable_simulate();
+    return;
+  }
+  message.mutable_study()->set_quick(info.study->quick);
+  message.mutable_study()->set_budget_s(info.study->budget_s);
 }
 
 }  // namespace
@@ -46,9 +56,11 @@ v1::SimJob message_from_job(const jobs::Job& job) {
   if (!job.start_time.empty()) set_time(job.start_time, message.mutable_start_time());
   if (!job.end_time.empty()) set_time(job.end_time, message.mutable_end_time());
   if (job.progress) set_progress(*job.progress, *message.mutable_progress());
+  if (job.progress && !jobs::is_terminal(job.state)) message.mutable_progress()->set_doing(job.progress->doing);
   if (job.failure) *message.mutable_error() = rpc_status(*job.failure);
   message.set_summary_json(job.summary_json);
   message.set_cancel_requested(job.cancel_requested);
+  set_work(job.info, message);
   return message;
 }
 

@@ -29,6 +29,9 @@ class FramesReactor final : public StreamReactor<v1::StreamFramesResponse> {
 
   End open() {
     if (auto wrong = check_range(request_)) return std::move(*wrong);
+    const jobs::Outcome<jobs::Job> now = store().get(job());
+    if (!now) return now.error();
+    if (auto none = check_has_frames(*now)) return std::move(*none);
     const jobs::Outcome<RunDir> dir = store().folder(job());
     if (!dir) return dir.error();
     source_.emplace(*dir, request_);

@@ -34,6 +34,10 @@ Error wrong_state(const std::string& id, const std::string& reason, const std::s
   return {ErrorCode::failed_precondition, reason, "simJobs/" + id + " " + message, {{"job", "simJobs/" + id}}, {}, {}};
 }
 
+Error no_frames(const std::string& id) {
+  return wrong_state(id, "NO_FRAMES", "is a study, which has no frames; its report is among its artefacts");
+}
+
 Error server_stopping() {
   return {
       ErrorCode::unavailable, "SERVER_STOPPING", "the server is stopping; jobs that run go on without it", {}, {}, {}};

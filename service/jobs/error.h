@@ -62,6 +62,7 @@ Error error_from_issues(Issues issues);
 Error invalid_field(const std::string& field, const std::string& value, const std::string& expected);
 Error job_not_found(const std::string& id);
 Error wrong_state(const std::string& id, const std::string& reason, const std::string& message);
+Error no_frames(const std::string& id);
 Error server_stopping();
 Error storage_failed(const std::string& message);
 

@@ -109,7 +109,8 @@ std::map<JobState, int> JobStore::counts() const {
 
 JobInfo JobStore::info_of(const NewJob& request) const {
   const int threads = request.threads > 0 ? request.threads : options_.default_threads;
-  return {"", request.request_id, request.spec_hash(threads), threads, options_.blas, "", request.scene_name};
+  return {"",           request.request_id, request.spec_hash(threads), threads, options_.blas, "", request.scene_name,
+          request.study};
 }
 
 Outcome<Job> JobStore::validate(const NewJob& request) const {

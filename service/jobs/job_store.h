@@ -29,6 +29,7 @@ struct NewJob {
   std::string scene_name;
   std::string scene_json;                             // checked, every default written out
   int threads = 0;                                    // 0: default_threads
+  std::optional<StudyWork> study;                     // absent: simulate
   std::function<std::string(int threads)> spec_hash;  // of the whole spec with so many threads
 };
 

@@ -58,8 +58,7 @@ std::optional<ServerSummary> parse_summary(std::string_view text) {
 }
 
 std::string server_summary(RunStatus status, const std::string& scene_name, const Failure& failure) {
-  Json json = to_json(RunSummary{});
-  for (auto& [key, value] : json.items()) value = nullptr;
+  Json json = empty_summary();
   json["status"] = status_word(status);
   json["message"] = failure.message;
   json["scene"] = scene_name;

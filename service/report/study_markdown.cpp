@@ -38,8 +38,11 @@ std::string study_plot_file(StudyAxis axis) {
   return axis == StudyAxis::wall_time ? "error-time.svg" : "error-newton.svg";
 }
 
-std::string study_markdown(const WorkPrecision& study, const std::string& command) {
-  std::string text = "# " + study.scene + ": accuracy against time\n\nMade by `" + command + "`; do not edit.\n\n";
+std::string study_markdown(const WorkPrecision& study, const std::string& command, const std::string& job) {
+  std::string text = "# " + study.scene + ": accuracy against time\n\n" +
+                     (job.empty() ? "Made by `" + command + "`"
+                                  : "Made by a server as " + job + "; `" + command + "` makes another such") +
+                     "; do not edit.\n\n";
   for (const std::string& paragraph : {about_study(study), about_reference(study), about_horizon(study),
                                        about_worst_place(study), about_digits(study)})
     if (!paragraph.empty()) text += paragraph + "\n\n";

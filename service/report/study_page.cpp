@@ -44,15 +44,16 @@ std::string missing_html(const WorkPrecision& study) {
 
 }  // namespace
 
-std::string study_page(const WorkPrecision& study, const std::string& command) {
+std::string study_page(const WorkPrecision& study, const std::string& command, const std::string& job) {
   return page_begin(study.scene + ": accuracy against time") + paragraph(about_study(study)) +
          paragraph(about_reference(study)) + paragraph(about_horizon(study)) + paragraph(about_worst_place(study)) +
          paragraph(about_digits(study)) + study_plot(study, StudyAxis::wall_time) +
          study_plot(study, StudyAxis::newton_iterations) + "<h2>Positions, and the time they take</h2>\n" +
          table_html(study, study_position_columns()) + "<h2>Energy, force and length, and what else it takes</h2>\n" +
          table_html(study, study_other_columns()) + missing_html(study) + "<h2>How to read it</h2>\n" +
-         paragraph(how_to_read_study()) + columns_html(study) + "<p>Made by <code>" + escaped(command) +
-         "</code></p>\n" + page_end();
+         paragraph(how_to_read_study()) + columns_html(study) + "<p>Made by " +
+         (job.empty() ? "" : "a server as " + escaped(job) + "; ") + "<code>" + escaped(command) + "</code>" +
+         (job.empty() ? "" : " makes another such") + "</p>\n" + page_end();
 }
 
 }  // namespace slipstitch

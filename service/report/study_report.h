@@ -19,10 +19,10 @@ std::string study_csv(const WorkPrecision& study);
 /// Errors of positions, both axes logarithmic: a colour and a marker a method, the front underlaid. SVG.
 std::string study_plot(const WorkPrecision& study, StudyAxis axis);
 
-/// Tables and plots, to which it refers as files.
-std::string study_markdown(const WorkPrecision& study, const std::string& command);
+/// Tables and plots, to which it refers as files. `command` made it or, where a server's `job` did, makes another such.
+std::string study_markdown(const WorkPrecision& study, const std::string& command, const std::string& job = {});
 
 /// The same as one self-contained page.
-std::string study_page(const WorkPrecision& study, const std::string& command);
+std::string study_page(const WorkPrecision& study, const std::string& command, const std::string& job = {});
 
 }  // namespace slipstitch

@@ -8,7 +8,7 @@
 namespace slipstitch::rest {
 
 std::string_view content_type_of(std::string_view file_name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 15> types{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 16> types{{
       {".css", "text/css; charset=utf-8"},
       {".csv", "text/csv; charset=utf-8"},
       {".gif", "image/gif"},
@@ -17,6 +17,7 @@ std::string_view content_type_of(std::string_view file_name) {
       {".js", "text/javascript; charset=utf-8"},
       {".json", "application/json"},
       {".map", "application/json"},
+      {".md", "text/markdown; charset=utf-8"},
       {".obj", "model/obj"},
       {".png", "image/png"},
       {".svg", "image/svg+xml"},

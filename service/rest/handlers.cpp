@@ -66,11 +66,18 @@ Response events(const Route& route, const Service& service) {
   return response;
 }
 
+jobs::Outcome<RunDir> folder_of_frames(const Route& route, const Service& service) {
+  const jobs::Outcome<jobs::Job> job = service.store.get(route.id);
+  if (!job) return job.error();
+  if (auto none = check_has_frames(*job)) return std::move(*none);
+  return service.store.folder(route.id);
+}
+
 Response frames(const Route& route, const Service& service) {
   v1::StreamFramesRequest request = route.frames;
   request.set_name("simJobs/" + route.id);
   if (auto wrong = check_range(request)) return error_response(*wrong);
-  const jobs::Outcome<RunDir> dir = service.store.folder(route.id);
+  const jobs::Outcome<RunDir> dir = folder_of_frames(route, service);
   if (!dir) return error_response(dir.error());
   if (service.store.stopping()) return error_response(jobs::server_stopping());
   Response response = text_response("application/octet-stream", {});
@@ -87,8 +94,18 @@ void name_file(const std::string& name, Response& response) {
   response.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + name + "\"");
 }
 
+// What a job wrote may hold what its sender liked: shown, it has no origin, runs nothing and loads nothing.
+void show_file(const std::string& name, Response& response) {
+  response.headers.emplace_back("Content-Disposition", "inline; filename=\"" + name + "\"");
+  response.headers.emplace_back(
+      "Content-Security-Policy",
+      "sandbox; default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; "
+      "form-action 'none'; frame-ancestors 'none'");
+  response.headers.emplace_back("Referrer-Policy", "no-referrer");
+}
+
 Response frame(const Route& route, const Service& service) {
-  const jobs::Outcome<RunDir> dir = service.store.folder(route.id);
+  const jobs::Outcome<RunDir> dir = folder_of_frames(route, service);
   if (!dir) return error_response(dir.error());
   jobs::Outcome<std::string> file = frame_file(route.id, *dir, route.frame_index, *route.format);
   if (!file) return error_response(file.error());
@@ -109,7 +126,11 @@ Response artefact(const Route& route, const Service& service) {
   jobs::Outcome<ArtefactReader> reader = ArtefactReader::open(*dir, {route.id, route.file});
   if (!reader) return error_response(reader.error());
   Response response = text_response(content_type_of(route.file), {});
-  name_file(route.file, response);
+  if (route.shown) {
+    show_file(route.file, response);
+  } else {
+    name_file(route.file, response);
+  }
   response.length = reader->total_bytes();
   response.source = std::make_shared<ArtefactBody>(std::move(*reader));
   response.first.then = Piece::Then::more;

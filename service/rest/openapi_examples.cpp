@@ -44,8 +44,7 @@ jobs::Job example_job() {
   job.revision = 1795422037779777;
   job.start_time = "2026-11-23T08:00:00.100000Z";
   job.progress.emplace();
-  job.progress->progress = {0.05, 0.1, 2, 4, 50, 150, 1e-3, 1e-9, 0.4};
-  job.progress->eta_s = 0.4;
+  *job.progress = progress_info({0.05, 0.1, 2, 4, 50, 150, 1e-3, 1e-9, {}, 0.4});
   return job;
 }
 
@@ -74,6 +73,12 @@ Json artefacts_example() {
   history.set_name(artefact_name(kExampleId, "history.csv"));
   history.set_size_bytes(420);
   return json_of(list);
+}
+
+Json artefact_example(std::string_view type) {
+  if (type == "application/json") return {{"name", "swatch"}};
+  if (type.starts_with("text/csv")) return "frame,t_s,steps\n0,0,0\n";
+  return nullptr;
 }
 
 jobs::Error invalid_scene() {
@@ -105,6 +110,7 @@ std::vector<jobs::Error> job_errors() {
           queue_full,
           refused(already_exists, "REQUEST_ID_REUSED", "request_id a was used for " + job + " with another spec"),
           jobs::job_not_found(kExampleId),
+          jobs::no_frames(kExampleId),
           refused(not_found, "FRAME_NOT_FOUND", "job " + job + " has no frame 7; it has 3 so far"),
           refused(not_found, "ARTEFACT_NOT_FOUND", "job " + job + " has no artefact 'a.csv'"),
           jobs::wrong_state(kExampleId, "JOB_ENDED", "has ended already"),
@@ -152,7 +158,7 @@ Json response_example(Operation operation, std::string_view type) {
     case Operation::list_artefacts:
       return artefacts_example();
     case Operation::get_artefact:
-      return type == "application/json" ? Json{{"name", "swatch"}} : Json("frame,t_s,steps\n0,0,0\n");
+      return artefact_example(type);
     case Operation::health:
       return "ok\n";
     case Operation::readiness:

@@ -116,6 +116,8 @@ std::string set_parameter(const std::string& name, const std::string& value, Rou
       return set_list_parameter(name, value, route.list);
     case Operation::stream_frames:
       return set_stream_parameter(name, value, route.frames);
+    case Operation::get_artefact:
+      return read_flag(value, route.shown) ? "" : "true or false";
     default:
       route.format = find_format(value);
       return route.format == nullptr ? format_names() : std::string();

@@ -20,6 +20,7 @@ struct Route {
   Operation operation = Operation::viewer_file;
   bool head_only = false;                      // HEAD
   std::string id;                              // of the job
+  bool shown = false;                          // get_artefact: inline
   std::string file;                            // artefact, or path of a file of the viewer with its leading slash
   std::uint32_t frame_index = 0;               // get_frame
   const Format* format = nullptr;              // get_frame

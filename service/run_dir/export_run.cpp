@@ -36,6 +36,10 @@ std::string why_no_frames(const RunDir& run, const FrameLogReader& log) {
 Report export_run(const RunDir& run, const std::filesystem::path& folder, const Format& format,
                   const ExportOptions& options) {
   if (options.first < 0 || options.stride < 1) return Report::failed("first must be >= 0 and stride >= 1");
+  if (const Result<JobInfo> job = read_job(run); job && job->study) {
+    return Report::failed(run.path.string() + " is a study, which has no frames; what it found is in " +
+                          run.report().string());
+  }
   FrameLogReader log(run.frames());
   const LogState state = log.poll();
   if (log.num_frames() == 0) return Report::failed(why_no_frames(run, log));

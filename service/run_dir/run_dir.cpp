@@ -81,6 +81,9 @@ IoError write_progress(const RunDir& dir, const ProgressInfo& progress) {
 IoError write_summary(const RunDir& dir, const RunSummary& summary) {
   return write_json(dir.summary(), to_json(summary));
 }
+IoError write_summary(const RunDir& dir, const StudySummary& summary) {
+  return write_json(dir.summary(), to_json(summary));
+}
 IoError write_worker(const RunDir& dir, const WorkerInfo& worker) { return write_json(dir.worker(), to_json(worker)); }
 
 Result<JobInfo> read_job(const RunDir& dir) { return read_json(dir.job(), job_from_json); }

@@ -17,6 +17,7 @@ namespace slipstitch {
 ///   progress.json         replaced while running
 ///   summary.json          written last: a run with it is over
 ///   report/               named artefacts
+///   study/                what a study has run (study_dir.h)
 ///   control.log           commands to the running process
 ///   worker.json           which process that is
 struct RunDir {
@@ -28,6 +29,7 @@ struct RunDir {
   std::filesystem::path progress() const { return path / "progress.json"; }
   std::filesystem::path summary() const { return path / "summary.json"; }
   std::filesystem::path report() const { return path / "report"; }
+  std::filesystem::path study() const { return path / "study"; }
   std::filesystem::path control() const { return path / "control.log"; }
   std::filesystem::path worker() const { return path / "worker.json"; }
 };
@@ -45,6 +47,7 @@ bool occupied(const std::filesystem::path& path);
 
 IoError write_progress(const RunDir& dir, const ProgressInfo& progress);
 IoError write_summary(const RunDir& dir, const RunSummary& summary);
+IoError write_summary(const RunDir& dir, const StudySummary& summary);
 IoError write_worker(const RunDir& dir, const WorkerInfo& worker);
 
 Result<JobInfo> read_job(const RunDir& dir);

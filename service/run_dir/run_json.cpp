@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run_dir/run_json.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -41,6 +42,11 @@ void fields(auto& visit, auto& body) requires std::is_same_v<std::remove_cvref_t
   visit("velocity_m_per_s", body.velocity_m_per_s);
 }
 
+void fields(auto& visit, auto& study) requires std::is_same_v<std::remove_cvref_t<decltype(study)>, StudyWork> {
+  visit("quick", study.quick);
+  visit("budget_s", study.budget_s);
+}
+
 void fields(auto& visit, auto& cost) requires std::is_same_v<std::remove_cvref_t<decltype(cost)>, EffectCost> {
   visit("dofs", cost.dofs);
   visit("stencils", cost.stencils);
@@ -55,6 +61,10 @@ class JsonWriter {
   template <class T>
   void operator()(const char* key, const T& value) {
     json_[key] = as_json(value);
+  }
+  template <class T>
+  void if_there(const char* key, const T& value) {
+    (*this)(key, value);
   }
   Json take() { return std::move(json_); }
 
@@ -83,6 +93,7 @@ class JsonWriter {
   static Json as_json(const EffectCost& value) { return as_object(value); }
   static Json as_json(const EffectVerdict& value) { return as_object(value); }
   static Json as_json(const EffectChoice& value) { return as_object(value); }
+  static Json as_json(const StudyWork& value) { return as_object(value); }
   template <class T>
   static Json as_object(const T& value) {
     JsonWriter writer;
@@ -107,6 +118,11 @@ class JsonReader {
     if (found == json_.end() || !from_json(*found, value)) {
       if (error_.empty()) error_ = std::string(key) + (found == json_.end() ? " is missing" : " has the wrong type");
     }
+  }
+  /// What programs before it did not write.
+  template <class T>
+  void if_there(const char* key, T& value) {
+    if (json_.contains(key)) (*this)(key, value);
   }
   const std::string& error() const { return error_; }
 
@@ -155,6 +171,7 @@ class JsonReader {
   static bool from_json(const nlohmann::json& json, EffectCost& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, EffectVerdict& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, EffectChoice& value) { return from_object(json, value); }
+  static bool from_json(const nlohmann::json& json, StudyWork& value) { return from_object(json, value); }
   template <class T>
   static bool from_object(const nlohmann::json& json, T& value) {
     if (!json.is_object()) return false;
@@ -183,6 +200,7 @@ void fields(auto& visit, auto& job) requires std::is_same_v<std::remove_cvref_t<
   visit("blas", job.blas);
   visit("create_time", job.create_time);
   visit("scene_name", job.scene_name);
+  visit.if_there("study", job.study);
 }
 
 void fields(auto& visit, auto& info) requires std::is_same_v<std::remove_cvref_t<decltype(info)>, ProgressInfo> {
@@ -199,6 +217,8 @@ void fields(auto& visit, auto& info) requires std::is_same_v<std::remove_cvref_t
   visit("wall_s", progress.wall_s);
   visit("eta_s", info.eta_s);
   visit("update_time", info.update_time);
+  visit.if_there("share_done", info.share_done);
+  visit.if_there("doing", info.doing);
 }
 
 void fields(auto& visit, auto& worker) requires std::is_same_v<std::remove_cvref_t<decltype(worker)>, WorkerInfo> {
@@ -278,8 +298,32 @@ Json to_json(const ProgressInfo& progress) { return write_fields(progress); }
 Json to_json(const WorkerInfo& worker) { return write_fields(worker); }
 Json to_json(const RunSummary& summary) { return write_fields(summary); }
 
+Json empty_summary() {
+  Json json = to_json(RunSummary{});
+  for (auto& [key, value] : json.items()) value = nullptr;
+  return json;
+}
+
+Json to_json(const StudySummary& summary) {
+  Json json = empty_summary();
+  json["status"] = status_word(summary.status);
+  json["message"] = summary.message;
+  json["scene"] = summary.scene;
+  json["wall_s"] = summary.wall_s;
+  if (summary.peak_memory_bytes) json["peak_memory_bytes"] = *summary.peak_memory_bytes;
+  json["blas"] = summary.blas;
+  json["version"] = summary.version;
+  json["threads"] = summary.threads;
+  json["study"] = summary.study;
+  return json;
+}
+
 Result<JobInfo> job_from_json(std::string_view text) { return read_fields<JobInfo>(text); }
-Result<ProgressInfo> progress_from_json(std::string_view text) { return read_fields<ProgressInfo>(text); }
+Result<ProgressInfo> progress_from_json(std::string_view text) {
+  Result<ProgressInfo> info = read_fields<ProgressInfo>(text);
+  if (info && info->doing.empty()) info->share_done = share_done(info->progress);  // of an earlier program
+  return info;
+}
 Result<WorkerInfo> worker_from_json(std::string_view text) { return read_fields<WorkerInfo>(text); }
 Result<RunSummary> summary_from_json(std::string_view text) { return read_fields<RunSummary>(text); }
 
@@ -303,6 +347,15 @@ std::string utc_now() {
   std::array<char, 16> fraction{};
   std::snprintf(fraction.data(), fraction.size(), ".%06dZ", static_cast<int>(micros % 1'000'000));
   return std::string(date.data()) + fraction.data();
+}
+
+double share_done(const Progress& progress) {
+  if (progress.duration_s > 0.0) return std::clamp(progress.t / progress.duration_s, 0.0, 1.0);
+  return progress.num_frames > 0 ? std::min(1.0, static_cast<double>(progress.frames) / progress.num_frames) : 0.0;
+}
+
+ProgressInfo progress_info(const Progress& progress) {
+  return {progress, estimate_eta(progress), utc_now(), share_done(progress), "simulating"};
 }
 
 std::optional<double> estimate_eta(const Progress& progress) {

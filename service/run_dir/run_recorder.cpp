@@ -1,37 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "run_dir/run_recorder.h"
 
-#include <chrono>
 #include <optional>
 #include <utility>
 
 #include "run_dir/control_log.h"
 #include "run_dir/frame_log.h"
 #include "run_dir/history_csv.h"
+#include "run_dir/throttle.h"
 #include "run_dir/vector_csv.h"
 
 namespace slipstitch {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// True at the first call and then at most once per interval.
-class Throttle {
- public:
-  explicit Throttle(double interval_s) : interval_(interval_s) {}
-  bool due() {
-    const Clock::time_point now = Clock::now();
-    if (last_ && now - *last_ < interval_) return false;
-    last_ = now;
-    return true;
-  }
-
- private:
-  std::chrono::duration<double> interval_;
-  std::optional<Clock::time_point> last_;
-};
-
-}  // namespace
 
 struct RunRecorder::State {
   State(RunDir run_dir, RecorderOptions recorder_options)
@@ -95,7 +74,7 @@ struct RunRecorder::State {
 
   void flush_progress() {
     if (!unwritten) return;
-    note(write_progress(dir, {*unwritten, estimate_eta(*unwritten), utc_now()}));
+    note(write_progress(dir, progress_info(*unwritten)));
     unwritten.reset();
   }
 

@@ -10,6 +10,7 @@
 #include "scene_io/issue_text.h"
 #include "scene_io/load_scene.h"
 #include "study/choose_effects.h"
+#include "worker/run_study_job.h"
 
 namespace slipstitch {
 namespace {
@@ -34,6 +35,7 @@ Result<RunSummary> run_job(const RunDir& dir, RecorderOptions options) {
   const Result<JobInfo> job = read_job(dir);
   if (!job) return Result<RunSummary>::failed(job.error);
   set_blas_threads(job->threads);
+  if (job->study) return run_study_job(dir, *job, options);
   options.control_interval_s = 0.0;
   RunRecorder recorder(dir, std::move(options));
   RunSummary summary = run_stored_scene(dir, job->threads, recorder.hooks());

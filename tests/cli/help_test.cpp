@@ -10,8 +10,8 @@
 namespace slipstitch::test {
 namespace {
 
-const std::set<std::string> kCommands{"simulate", "validate", "effects", "study",  "export", "serve", "submit",
-                                      "list",     "get",      "watch",   "frames", "cancel", "delete"};
+const std::set<std::string> kCommands{"simulate", "validate", "effects", "study",  "export",    "serve",  "submit",
+                                      "list",     "get",      "watch",   "frames", "artefacts", "cancel", "delete"};
 
 // First words of the lines below "Subcommands:" that are indented by two.
 std::set<std::string> commands_of(const std::string& help) {

@@ -56,6 +56,15 @@ TEST(ProgressLine, FitsAnyTerminal) {
   }
 }
 
+TEST(ShareLine, ShowsHowFarWhatAndHowLong) {
+  EXPECT_EQ(share_line(0.47, "BDF2 8.33 ms", 83.0, 80), "[#####.......]  47 %  BDF2 8.33 ms  ETA 1:23");
+  EXPECT_EQ(share_line(1.2, "BDF2 8.33 ms", {}, 80), "[############] 100 %  BDF2 8.33 ms");
+  for (int columns = 1; columns <= 80; ++columns)
+    EXPECT_LE(share_line(0.47, "BDF2 8.33 ms", 83.0, columns).size(),
+              static_cast<std::size_t>(std::max(columns - 1, 1)));
+  EXPECT_EQ(share_line(0.47, "BDF2 8.33 ms", 83.0, 40), "[#####.......]  47 %  BDF2 8.33  ETA 1:23");
+}
+
 TEST(ProgressLine, NeverRunsOver) {
   Progress progress = sample_progress();
   progress.t = 3.0;

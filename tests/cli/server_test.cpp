@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
+#include "support/csv_cells.h"
 #include "support/parsers/curves.h"
 
 namespace slipstitch::test {
@@ -173,6 +174,84 @@ TEST_F(CliWithServer, FramesOfARunningJobComeWithoutFollowAsFarAsThereAreAny) {
   const ProgramEnd end = call({"frames", job, "--out", folder_ / "some", "--format", "obj"});
   EXPECT_EQ(end.exit_code, 0) << end.err;
   EXPECT_NE(end.err.find("--follow"), std::string::npos) << end.err;
+}
+
+// Rung and everything measured that is no time and no memory.
+std::vector<std::vector<std::string>> results_of(const std::string& csv) {
+  std::vector<std::vector<std::string>> results;
+  const auto lines = lines_of(csv);
+  for (std::size_t row = 1; row < lines.size(); ++row) {
+    auto& result = results.emplace_back();
+    for (const char* column : {"scene", "rung", "position_error_m", "stored_error_j", "force_error_n", "order", "steps",
+                               "newton_iterations", "factorizations", "reference_error_m", "predictable_until_s"})
+      result.push_back(cell(csv, row, column));
+  }
+  return results;
+}
+
+TEST_F(CliWithServer, AStudyReportsWhatTheSameStudyDoesHere) {
+  const ProgramEnd end = call({"submit", folder_ / "swing.json", "--study", "--quick", "--wait"});
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  const std::string job = end.out.substr(0, end.out.find('\n'));
+  EXPECT_NE(end.out.find("swing: succeeded"), std::string::npos) << end.out;
+  EXPECT_NE(end.out.find("ways to run it, compared with a reference"), std::string::npos) << end.out;
+  EXPECT_NE(end.err.find("slipstitch artefacts " + job), std::string::npos) << end.err;
+
+  const ProgramEnd fetched = call({"artefacts", job, "--out", folder_ / "report", "--json"});
+  ASSERT_EQ(fetched.exit_code, 0) << fetched.err;
+  const json files = json::parse(fetched.out)["artefacts"];
+  ASSERT_EQ(files.size(), 7U);
+  for (const json& file : files) {
+    const std::string name = file["file"];
+    EXPECT_EQ(read_bytes(folder_ / "report" / name).size(), file["size_bytes"]) << name;
+  }
+  ASSERT_EQ(slipstitch({"study", folder_ / "swing.json", "--quick", "--out", folder_ / "here"}).exit_code, 0);
+  const auto results = results_of(read_bytes(folder_ / "report" / "study.csv"));
+  EXPECT_EQ(results.size(), 23U);
+  EXPECT_EQ(results, results_of(read_bytes(folder_ / "here" / "study.csv")));
+  // As its report says, its own scene.json gives another such.
+  const ProgramEnd again =
+      call({"submit", folder_ / "report" / "scene.json", "--study", "--quick", "--threads", "1", "--json"});
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(json::parse(again.out)["spec_hash"], json::parse(call({"get", job, "--json"}).out)["spec_hash"]);
+
+  EXPECT_NE(call({"get", job}).out.find("quick study"), std::string::npos);
+  EXPECT_NE(call({"list"}).out.find("study"), std::string::npos);
+  EXPECT_NE(call({"artefacts", job}).out.find("study.html"), std::string::npos);
+  const ProgramEnd occupied = call({"artefacts", job, "--out", folder_ / "report"});
+  EXPECT_EQ(occupied.exit_code, 2) << occupied.err;
+  const ProgramEnd frames = call({"frames", job, "--out", folder_ / "frames", "--format", "obj"});
+  EXPECT_EQ(frames.exit_code, 1);
+  EXPECT_EQ(frames.err, "slipstitch: " + job + " is a study, which has no frames; its report is among its artefacts\n");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "frames"));
+}
+
+TEST_F(CliWithServer, ACancelledStudyEndsItsWatchAndHasNoReport) {
+  const std::string job = submit("long.json", {"--study", "--budget", "3600"});
+  wait_until([&] {
+    const json progress = json::parse(call({"get", job, "--json"}).out)["progress"];
+    return !progress.is_null() && progress["share_done"] > 0.0;
+  });
+  EXPECT_NE(call({"get", job}).out.find("study, at most 1 h"), std::string::npos) << call({"get", job}).out;
+  EXPECT_EQ(json::parse(call({"get", job, "--json"}).out)["work"]["study"]["budget_s"], 3600.0);
+  Program watch("slipstitch", with_server({"watch", job}));
+  EXPECT_EQ(call({"cancel", job}).exit_code, 0);
+  const ProgramEnd end = watch.wait();
+  EXPECT_EQ(end.exit_code, 4) << end.err;
+  EXPECT_EQ(end.err.find("artefacts"), std::string::npos) << end.err;
+  EXPECT_EQ(call({"artefacts", job}).out.find("study"), std::string::npos);
+}
+
+TEST_F(CliWithServer, WhatOnlyAStudyHasNeedsOne) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"--quick"},
+                                               {"--budget", "10"},
+                                               {"--study", "--budget", "0"},
+                                               {"--study", "--budget", "soon"}}) {
+    std::vector<std::string> words{"submit", folder_ / "swing.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(call(words).exit_code, 2) << more[0];
+  }
+  EXPECT_EQ(call({"artefacts", "simJobs/none"}).exit_code, 2);
 }
 
 TEST_F(CliWithServer, ProxiesHaveNoBusinessOnThisMachine) {

@@ -99,6 +99,18 @@ TEST(ExportRun, RefusesWhatIsNotThereBeforeMakingAFolder) {
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
+TEST(ExportRun, AStudyHasNoFramesAndSaysWhereItsReportIs) {
+  const TemporaryFolder folder;
+  JobInfo job;
+  job.study = StudyWork{};
+  const RunDir dir = *create_run_dir(folder / "run", job, "{}", false);
+  const Result<ExportReport> report = export_run(dir, folder / "out", *find_format("obj"), {});
+  ASSERT_FALSE(report);
+  EXPECT_NE(report.error.find("is a study, which has no frames"), std::string::npos) << report.error;
+  EXPECT_NE(report.error.find(dir.report().string()), std::string::npos) << report.error;
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+
 TEST(ExportRun, ABrokenFrameEndsTheExportBehindTheGoodOnes) {
   const TemporaryFolder folder;
   const RunDir dir = recorded_run(folder, 4, true);

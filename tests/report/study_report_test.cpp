@@ -67,6 +67,18 @@ TEST(StudyReport, MarkdownHasTheTablesAndWhatIsMissing) {
   EXPECT_NE(study_markdown(study, "").find("| 7 mm |"), std::string::npos);
 }
 
+TEST(StudyReport, SaysHowItWasMade) {
+  const WorkPrecision study = sample_work_precision();
+  EXPECT_NE(study_markdown(study, "make it").find("Made by `make it`; do not edit."), std::string::npos);
+  EXPECT_NE(study_markdown(study, "make it", "simJobs/a")
+                .find("Made by a server as simJobs/a; `make it` makes another such; do not edit."),
+            std::string::npos);
+  EXPECT_NE(study_page(study, "make it").find("<p>Made by <code>make it</code></p>"), std::string::npos);
+  EXPECT_NE(study_page(study, "make it", "simJobs/<a>")
+                .find("<p>Made by a server as simJobs/&lt;a&gt;; <code>make it</code> makes another such</p>"),
+            std::string::npos);
+}
+
 TEST(StudyReport, PageStandsAlone) {
   const std::string page = study_page(sample_work_precision(), "slipstitch study 'a b'");
   for (std::size_t at = page.find("http"); at != std::string::npos; at = page.find("http", at + 1))

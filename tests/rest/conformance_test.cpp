@@ -220,6 +220,9 @@ TEST_F(ConformanceTest, EveryDocumentedAnswerIsGiven) {
   }
   check(operation("getFrame"), call("GET", path_with(operation("getFrame"), ended, "999")));
   check(operation("getArtefact"), call("GET", path_with(operation("getArtefact"), ended, "", "none.csv")));
+  const std::string study = must_create_study(swing(3, 0.1, 10.0, 1e-2), 1e-9).name();
+  for (const char* id : {"getFrame", "streamFrames"}) ask(id, study);
+  wait_for_end(study);
   ask("listSimJobs", "", "?page_token=x");
   create("{}");
   ask("cancelSimJob", ended);

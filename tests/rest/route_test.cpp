@@ -27,6 +27,13 @@ HttpError must_refuse(const std::string& method, const std::string& target, bool
   return refused ? *refused : HttpError();
 }
 
+TEST(Route, ArtefactsAreShownOnlyWhenAsked) {
+  EXPECT_FALSE(must_route("GET", "/v1/simJobs/x/artefacts/a.html").shown);
+  EXPECT_FALSE(must_route("GET", "/v1/simJobs/x/artefacts/a.html?inline=false").shown);
+  EXPECT_TRUE(must_route("GET", "/v1/simJobs/x/artefacts/a.html?inline=true").shown);
+  EXPECT_EQ(must_refuse("GET", "/v1/simJobs/x/artefacts/a.html?inline=1").error.reason, "INVALID_FIELD");
+}
+
 TEST(Route, EveryPathOfTheTableIsReached) {
   for (const OperationInfo& info : operations()) {
     std::string target(info.path);

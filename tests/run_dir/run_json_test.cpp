@@ -175,7 +175,8 @@ TEST(RunJson, BrokenTextIsRefusedWithTheKey) {
 TEST(RunJson, JobProgressAndWorkerComeBack) {
   const JobInfo job{"simJobs/a", "r", "h", 3, "SkylakeX", "2024-05-01T00:00:00.000001Z", "drape"};
   EXPECT_EQ(to_json(*job_from_json(to_json(job).dump())), to_json(job));
-  const ProgressInfo progress{{0.5, 2.0, 16, 61, 100, 300, 0.005, 1e-5, 3.0}, 9.0, "2024-05-01T00:00:00.000001Z"};
+  const ProgressInfo progress{
+      {0.5, 2.0, 16, 61, 100, 300, 0.005, 1e-5, 3.0}, 9.0, "2024-05-01T00:00:00.000001Z", 0.25, "simulating"};
   EXPECT_EQ(to_json(*progress_from_json(to_json(progress).dump())), to_json(progress));
   EXPECT_EQ(to_json(progress)["duration_s"], 2.0);
   const WorkerInfo worker{4'000'000, ~std::uint64_t{0}, "b", "local:1"};
@@ -183,6 +184,47 @@ TEST(RunJson, JobProgressAndWorkerComeBack) {
   ASSERT_TRUE(read) << read.error;
   EXPECT_EQ(read->start_ticks, worker.start_ticks);
   EXPECT_EQ(read->pid, worker.pid);
+}
+
+TEST(RunJson, AStudyKeepsItsWork) {
+  JobInfo job;
+  EXPECT_FALSE(job_from_json(to_json(job).dump())->study);
+  job.study = StudyWork{true, 60.0};
+  EXPECT_EQ(job_from_json(to_json(job).dump())->study, job.study);
+}
+
+TEST(RunJson, ReadsWhatWasWrittenBeforeThereWereStudies) {
+  auto job = to_json(JobInfo{});
+  job.erase("study");
+  ASSERT_TRUE(job_from_json(job.dump()));
+  EXPECT_FALSE(job_from_json(job.dump())->study);
+  auto progress = to_json(ProgressInfo{{0.5, 2.0, 16, 61, 100, 300, 0.005, 1e-5, {}, 3.0}, {}, ""});
+  progress.erase("share_done");
+  progress.erase("doing");
+  ASSERT_TRUE(progress_from_json(progress.dump()));
+  EXPECT_EQ(progress_from_json(progress.dump())->share_done, 0.25);
+}
+
+TEST(RunJson, TheShareIsOfTimeOrOfFramesWhereThereIsNone) {
+  EXPECT_EQ(share_done({0.5, 2.0, 1, 4, 0, 0, 0.0, 0.0, {}, 0.0}), 0.25);
+  EXPECT_EQ(share_done({3.0, 2.0, 1, 4, 0, 0, 0.0, 0.0, {}, 0.0}), 1.0);
+  EXPECT_EQ(share_done({0.0, 0.0, 1, 2, 0, 0, 0.0, 0.0, {}, 0.0}), 0.5);
+  EXPECT_EQ(share_done({}), 0.0);
+}
+
+TEST(RunJson, ASummaryOfAStudyHasEveryKeyAndNothingThatWasNotMeasured) {
+  StudySummary summary;
+  summary.status = RunStatus::succeeded;
+  summary.scene = "swing";
+  summary.wall_s = 2.0;
+  summary.study = {{"finished", true}};
+  const auto json = to_json(summary), run = to_json(RunSummary{});
+  for (const auto& [key, value] : run.items()) EXPECT_TRUE(json.contains(key)) << key;
+  for (const char* key : {"steps", "dofs", "error_estimate_m", "peak_memory_bytes"})
+    EXPECT_TRUE(json[key].is_null()) << key;
+  EXPECT_EQ(json["status"], "succeeded");
+  EXPECT_EQ(json["wall_s"], 2.0);
+  EXPECT_EQ(json["study"]["finished"], true);
 }
 
 TEST(RunJson, EtaFollowsTheShareOfSimulatedTime) {

@@ -33,6 +33,21 @@ TEST_F(JobStoreTest, RunsAJobToItsEnd) {
   EXPECT_LE(ended.start_time, ended.end_time);
 }
 
+TEST_F(JobStoreTest, RemembersThatAJobIsAStudy) {
+  std::string id;
+  {
+    auto store = open_store(folder_.path(), work_);
+    NewJob request = new_job("r1");
+    request.study = StudyWork{true, 60.0};
+    id = store->create(request)->id;
+    EXPECT_FALSE(store->get(store->create(new_job("r2"))->id)->info.study);
+  }
+  HeldWork work;
+  const Outcome<Job> job = open_store(folder_.path(), work)->get(id);
+  ASSERT_TRUE(job && job->info.study);
+  EXPECT_EQ(*job->info.study, (StudyWork{true, 60.0}));
+}
+
 TEST_F(JobStoreTest, IsOnDiskWhenCreateAnswers) {
   auto store = open_store(folder_.path(), work_);
   const Outcome<Job> created = store->create(new_job("r1", "{\"name\":\"x\"}"));

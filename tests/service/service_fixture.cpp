@@ -131,6 +131,22 @@ v1::SimJob ServiceTest::must_create(const v1::Scene& scene, const std::string& r
   return job;
 }
 
+grpc::Status ServiceTest::create_study(const v1::Scene& scene, double budget_s, v1::SimJob& job) {
+  v1::CreateSimJobRequest request;
+  *request.mutable_spec()->mutable_scene() = scene;
+  request.mutable_spec()->mutable_study()->set_quick(true);
+  request.mutable_spec()->mutable_study()->set_budget_s(budget_s);
+  grpc::ClientContext context;
+  return jobs_->CreateSimJob(&context, request, &job);
+}
+
+v1::SimJob ServiceTest::must_create_study(const v1::Scene& scene, double budget_s) {
+  v1::SimJob job;
+  const grpc::Status status = create_study(scene, budget_s, job);
+  EXPECT_TRUE(status.ok()) << status.error_message();
+  return job;
+}
+
 v1::SimJob ServiceTest::get(const std::string& name) {
   v1::GetSimJobRequest request;
   request.set_name(name);
@@ -198,6 +214,16 @@ v1::SimJob ServiceTest::wait_for_frames(const std::string& name, std::uint32_t f
   return job;
 }
 
+v1::SimJob ServiceTest::wait_for_runs(const std::string& name, std::size_t runs) {
+  v1::SimJob job = get(name);
+  while (job.state() < v1::SimJob::SUCCEEDED && runs_of(name).size() < runs) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    job = get(name);
+  }
+  EXPECT_GE(runs_of(name).size(), runs) << job.DebugString();
+  return job;
+}
+
 Received ServiceTest::stream(const v1::StreamFramesRequest& request) {
   grpc::ClientContext context;
   const auto reader = frames_->StreamFrames(&context, request);
@@ -228,6 +254,39 @@ Received ServiceTest::stream_all(const std::string& name) {
   EXPECT_TRUE(received.status.ok()) << received.status.error_message();
   EXPECT_TRUE(received.end);
   return received;
+}
+
+std::map<std::string, std::string> ServiceTest::runs_of(const std::string& name) const {
+  std::map<std::string, std::string> runs;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_of(name).study() / "runs", none))
+    if (entry.path().extension() == ".json") runs[entry.path().filename()] = read_bytes(entry.path());
+  return runs;
+}
+
+std::vector<std::string> ServiceTest::artefacts_of(const std::string& name) {
+  v1::ListArtefactsRequest request;
+  request.set_name(name);
+  grpc::ClientContext context;
+  v1::ListArtefactsResponse response;
+  EXPECT_TRUE(jobs_->ListArtefacts(&context, request, &response).ok());
+  std::vector<std::string> files;
+  for (const v1::Artefact& artefact : response.artefacts()) {
+    EXPECT_TRUE(artefact.name().starts_with(name + "/artefacts/")) << artefact.name();
+    files.push_back(artefact.name().substr(artefact.name().rfind('/') + 1));
+  }
+  return files;
+}
+
+std::string ServiceTest::read_artefact(const std::string& name, const std::string& file) {
+  v1::GetArtefactRequest request;
+  request.set_name(name + "/artefacts/" + file);
+  grpc::ClientContext context;
+  const auto reader = jobs_->GetArtefact(&context, request);
+  std::string data;
+  for (v1::ArtefactChunk chunk; reader->Read(&chunk);) data += chunk.data();
+  EXPECT_TRUE(reader->Finish().ok()) << file;
+  return data;
 }
 
 RunDir ServiceTest::folder_of(const std::string& name) const {

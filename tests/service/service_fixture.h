@@ -63,6 +63,8 @@ class ServiceTest : public ::testing::Test {
 
   grpc::Status create(const v1::Scene& scene, const std::string& request_id, v1::SimJob& job);
   v1::SimJob must_create(const v1::Scene& scene, const std::string& request_id = "");
+  grpc::Status create_study(const v1::Scene& scene, double budget_s, v1::SimJob& job);  // a quick one
+  v1::SimJob must_create_study(const v1::Scene& scene, double budget_s = 0.0);
   v1::SimJob get(const std::string& name);
   std::vector<std::string> list_names();
   grpc::Status cancel(const std::string& name);
@@ -72,10 +74,16 @@ class ServiceTest : public ::testing::Test {
   v1::SimJob wait_for_end(const std::string& name) { return watch(name).back(); }
   /// By watching: returns once the job runs and has written `frames` frames.
   v1::SimJob wait_for_frames(const std::string& name, std::uint32_t frames);
+  /// Likewise, a study that has kept `runs` runs.
+  v1::SimJob wait_for_runs(const std::string& name, std::size_t runs);
   Received stream(const v1::StreamFramesRequest& request);
   Received stream_all(const std::string& name);
 
   RunDir folder_of(const std::string& name) const;
+  /// Content of every run that a study has kept, by file.
+  std::map<std::string, std::string> runs_of(const std::string& name) const;
+  std::vector<std::string> artefacts_of(const std::string& name);
+  std::string read_artefact(const std::string& name, const std::string& file);
   WorkerInfo worker_of(const std::string& name) const;
 
   TemporaryFolder folder_;

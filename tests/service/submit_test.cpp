@@ -141,10 +141,11 @@ TEST_F(SubmitTest, HandsOutTheSceneAsRun) {
   grpc::ClientContext list_context;
   v1::ListArtefactsResponse artefacts;
   ASSERT_TRUE(jobs_->ListArtefacts(&list_context, list, &artefacts).ok());
-  ASSERT_EQ(artefacts.artefacts_size(), 3);
+  ASSERT_EQ(artefacts.artefacts_size(), 4);
   EXPECT_EQ(artefacts.artefacts(0).name(), name + "/artefacts/history.csv");
   EXPECT_EQ(artefacts.artefacts(1).name(), name + "/artefacts/reactions.csv");  // of the scene's handles
   EXPECT_EQ(artefacts.artefacts(2).name(), name + "/artefacts/scene.json");
+  EXPECT_EQ(artefacts.artefacts(3).name(), name + "/artefacts/summary.json");
   v1::GetArtefactRequest get_request;
   get_request.set_name(artefacts.artefacts(2).name());
   grpc::ClientContext context;

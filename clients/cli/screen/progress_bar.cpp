@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds kRedrawInterval{100};
 constexpr int kBarWidth = 12;
 constexpr char kClearLine[] = "\r\x1b[K";
 
-double share_done(const Progress& progress) {
+double share_of(const Progress& progress) {
   return progress.duration_s > 0.0 ? std::clamp(progress.t / progress.duration_s, 0.0, 1.0) : 1.0;
 }
 
@@ -47,7 +47,7 @@ std::string time_of(const Progress& progress) {
 }  // namespace
 
 std::string progress_line(const Progress& progress, std::optional<double> eta_s, int columns) {
-  const double share = share_done(progress);
+  const double share = share_of(progress);
   std::string line = bar(share) + " " + percent(share);
   const std::string eta = eta_s ? "  ETA " + clock_text(*eta_s) : "";
   std::vector<std::string> parts{
@@ -63,6 +63,14 @@ std::string progress_line(const Progress& progress, std::optional<double> eta_s,
     line += part;
   }
   return (line + eta).substr(0, room);
+}
+
+std::string share_line(double share, const std::string& what, std::optional<double> eta_s, int columns) {
+  const double done = std::clamp(share, 0.0, 1.0);
+  const std::string eta = eta_s ? "  ETA " + clock_text(*eta_s) : "";
+  const auto room = static_cast<std::size_t>(std::max(columns - 1, 1));
+  const std::string line = bar(done) + " " + percent(done) + "  " + what;
+  return (line.substr(0, room - std::min(room, eta.size())) + eta).substr(0, room);
 }
 
 ProgressBar::ProgressBar() : terminal_(::isatty(STDERR_FILENO) == 1) {}
@@ -85,10 +93,8 @@ void ProgressBar::show(const Progress& progress, std::optional<double> eta_s) {
   if (time_to_draw()) draw(progress_line(progress, eta_s, columns()));
 }
 
-void ProgressBar::show_share(double share, const std::string& what) {
-  if (!terminal_ || !time_to_draw()) return;
-  const std::string line = bar(std::clamp(share, 0.0, 1.0)) + " " + percent(std::clamp(share, 0.0, 1.0)) + "  " + what;
-  draw(line.substr(0, static_cast<std::size_t>(columns() - 1)));
+void ProgressBar::show_share(double share, const std::string& what, std::optional<double> eta_s) {
+  if (terminal_ && time_to_draw()) draw(share_line(share, what, eta_s, columns()));
 }
 
 void ProgressBar::show(const std::string& text) {

@@ -13,6 +13,9 @@ namespace slipstitch {
 /// characters: what does not fit is left out from the right, the ETA last.
 std::string progress_line(const Progress& progress, std::optional<double> eta_s, int columns);
 
+/// "[#####.......]  47 %  BDF2 8.33 ms  ETA 1:23"; of `what` as much as fits.
+std::string share_line(double share, const std::string& what, std::optional<double> eta_s, int columns);
+
 /// One line at the bottom of a terminal, redrawn at most ten times a second. Silent when stderr is none.
 class ProgressBar {
  public:
@@ -23,7 +26,8 @@ class ProgressBar {
 
   void show(const Progress& progress, std::optional<double> eta_s);
   void show(const std::string& text);  // at once
-  void show_share(double share, const std::string& what);  // share in [0, 1] of all that is to be done
+  /// share in [0, 1] of all that is to be done.
+  void show_share(double share, const std::string& what, std::optional<double> eta_s = {});
   /// Replaces the bar by its last state as a line that stays. Nothing when nothing was shown.
   void finish();
   /// Takes the bar away, e.g. before another message.

@@ -111,6 +111,21 @@ std::string error_line(const Json& json) {
          (until ? "\nnot predictable to the tolerance beyond " + short_number(*until) + " s" : "");
 }
 
+// Of a study, whose report has the rest.
+std::string study_lines(const Json& json) {
+  const auto study = json.find("study");
+  if (study == json.end() || !study->is_object()) return {};
+  long ways = 0;
+  for (const Json& rung : study->value("rungs", Json::array())) ways += rung.contains("wall_s");
+  std::string text = count_of(ways, "way", "ways") + " to run it";
+  const Json reference = study->value("reference", Json::object());
+  if (const auto error = number(reference, "error_m"))
+    text += ", compared with a reference that is off by about " + metres_text(*error);
+  if (const auto factor = number(*study, "digit_factor"))
+    text += "\none more digit costs x" + short_number(*factor, 2) + " the time";
+  return text;
+}
+
 std::string sliding_line(const Json& json) {
   const auto largest = number(json, "max_slid_m"), mean = number(json, "mean_slid_m");
   if (!largest) return {};
@@ -225,6 +240,7 @@ std::string summary_text(const Json& json, const Rows& more) {
   add("simulated", time_line(json));
   add("Newton", newton_line(json));
   add("error", error_line(json));
+  add("study", study_lines(json));
   add("sliding", sliding_line(json));
   add("wraps", wraps_line(json));
   add("overlaps", overlaps_line(json));
