@@ -15,6 +15,13 @@ export interface JobProgress {
   wall_s?: number;
   eta_s?: number;
   error_estimate_m?: number;
+  share_done?: number;
+  doing?: string;
+}
+
+export interface StudyMessage {
+  quick?: boolean;
+  budget_s?: number;
 }
 
 export interface SimJob {
@@ -30,6 +37,8 @@ export interface SimJob {
   error?: StatusBody;
   summary_json?: string;
   cancel_requested?: boolean;
+  study?: StudyMessage;  // one of the two
+  simulate?: object;
 }
 
 export interface ListSimJobsResponse {

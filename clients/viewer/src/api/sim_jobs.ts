@@ -23,7 +23,11 @@ async function json<T>(path: string, method = 'GET', body?: string): Promise<T> 
   return (await response.json()) as T;
 }
 
+export type Work = 'simulate' | 'study' | 'quick study';
+const workFields: Record<Work, string> = { simulate: '"simulate":{}', study: '"study":{}', 'quick study': '"study":{"quick":true}' };
+
 export interface CreateOptions {
+  work?: Work;  // default: simulate
   requestId?: string;
   validateOnly?: boolean;
 }
@@ -31,7 +35,7 @@ export interface CreateOptions {
 /// `sceneText` is the text of a scene file: it goes to the server as it is, so that the server judges its numbers.
 export function createSimJob(sceneText: string, options: CreateOptions = {}): Promise<SimJob> {
   const rest = { request_id: options.requestId ?? '', validate_only: options.validateOnly ?? false };
-  return json(root, 'POST', `{"spec":{"scene":${sceneText},"simulate":{}},${JSON.stringify(rest).slice(1)}`);
+  return json(root, 'POST', `{"spec":{"scene":${sceneText},${workFields[options.work ?? 'simulate']}},${JSON.stringify(rest).slice(1)}`);
 }
 
 export function getSimJob(id: string): Promise<SimJob> {
@@ -59,6 +63,11 @@ export async function listArtefacts(id: string): Promise<Artefact[]> {
 
 export function artefactAddress(id: string, file: string): string {
   return `${root}/${id}/artefacts/${encodeURIComponent(file)}`;
+}
+
+/// Where a browser shows it, as a page of no origin that runs no scripts.
+export function shownArtefactAddress(id: string, file: string): string {
+  return `${artefactAddress(id, file)}?inline=true`;
 }
 
 export async function artefactText(id: string, file: string): Promise<string> {

@@ -2,14 +2,14 @@
 import { fieldErrors, pathAndAncestors, type FieldError } from '../api/field_errors';
 import { ApiError } from '../api/api_error';
 import { jobId } from '../api/messages';
-import { artefactText, createSimJob } from '../api/sim_jobs';
+import { artefactText, createSimJob, type Work } from '../api/sim_jobs';
 import type { FormContext } from '../form/form_context';
 import { emptyFields, showErrors } from '../form/show_errors';
 import { textInput } from '../form/simple_fields';
 import type { JsonObject } from '../scene/field';
 import { isObject } from '../scene/json_path';
 import { readScene, sceneText } from '../scene/scene_file';
-import { button, h } from '../ui/dom';
+import { button, h, select } from '../ui/dom';
 import type { Page } from '../ui/page';
 import { chartPanel } from './chart_panel';
 import { jsonPanel } from './json_panel';
@@ -103,7 +103,7 @@ export function editorPage(copyOf?: string): Page {
     say(validateOnly ? 'Checking …' : 'Submitting …');
     setBusy(true);
     try {
-      const job = await createSimJob(sceneText(sent), { validateOnly, requestId: validateOnly ? '' : newRequestId() });
+      const job = await createSimJob(sceneText(sent), { work: choice.work, validateOnly, requestId: validateOnly ? '' : newRequestId() });
       model.errors.set([]);
       showAll();
       say(model.scene.value === sent ? 'The scene can be run.' : 'The scene has changed since it was checked.');
@@ -114,6 +114,9 @@ export function editorPage(copyOf?: string): Page {
       setBusy(false);
     }
   }
+  const choice = { work: 'simulate' as Work };
+  const work = select('Work', [['simulate', 'simulate'], ['study', 'study accuracy'], ['quick study', 'quick study']], choice.work,
+    (chosen) => { choice.work = chosen as Work; });
   const submit = button('Submit', () => void send(false), { class: 'primary', 'data-action': 'submit' });
   const check = button('Check', () => void send(true), { 'data-action': 'check' });
   function setBusy(busy: boolean): void {
@@ -126,7 +129,7 @@ export function editorPage(copyOf?: string): Page {
       tell('', problem);
     } });
   const element = h('div', { class: 'page editor-page' },
-    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), check, submit), status, fault, summary,
+    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), work, check, submit), status, fault, summary,
     h('div', { class: 'editor-columns' },
       h('div', { class: 'left' }, nameFrame, h('section', { class: 'panel', 'aria-label': 'Chart' }, h('h2', {}, 'Chart'), chart.element), besideFrame, json.element),
       formFrame));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-import { artefactAddress, frameAddress, frameBytes, frameFormats, listArtefacts, type FrameFormat } from '../api/sim_jobs';
+import { frameAddress, frameBytes, frameFormats, type FrameFormat } from '../api/sim_jobs';
 import type { Frame } from '../fabric/fabric';
 import { button, h, select } from '../ui/dom';
 import { saveFile } from '../ui/download';
+import { fileList } from './file_list';
 import type { JobModel } from './job_model';
 import { zip, type ZipEntry } from './zip';
 
@@ -45,7 +46,6 @@ export function downloadsPanel(model: JobModel, picture: () => Promise<Blob>): D
   const say = (text: string): void => { status.textContent = text; };
   const failed = (error: unknown): void => say(error instanceof Error ? error.message : String(error));
   const links = h('p', { class: 'links' });
-  const files = h('ul', { class: 'files' });
   const choice = { format: 'obj' as FrameFormat };
   const fetching = { stop: new AbortController() };
   const setBusy = (busy: boolean): void => {
@@ -69,23 +69,7 @@ export function downloadsPanel(model: JobModel, picture: () => Promise<Blob>): D
     download, cancel);
   const png = button('Picture as PNG', () => void picture().then((blob) => saveFile(`${model.id}.png`, blob), failed));
 
-  const listFiles = (): void => {
-    listArtefacts(model.id).then((artefacts) => {
-      const names = artefacts.map((artefact) => (artefact.name ?? '').replace(/^.*\//, ''));
-      files.replaceChildren(...names.map((name) => h('li', {}, h('a', { href: artefactAddress(model.id, name), download: name }, name))));
-    }).catch(() => undefined);  // asked again with the next state
-  };
-  const seen = { state: '', history: false };
-  model.job.subscribe((job) => {
-    if (!job || job.state === seen.state) return;
-    seen.state = job.state ?? '';
-    listFiles();
-  });
-  // Files come while the run goes on: the first with its first frame.
-  model.history.subscribe((history) => {
-    if (history && !seen.history) listFiles();
-    seen.history = history !== undefined;
-  });
+  const files = fileList(model);
   const shown = { index: -2 };
   const showFrame = (frame: Frame | undefined): void => {
     const index = frame?.index ?? -1;
@@ -94,7 +78,7 @@ export function downloadsPanel(model: JobModel, picture: () => Promise<Blob>): D
     links.replaceChildren(...(index < 0 ? [] : [`Frame ${index} as `, ...frameFormats.map((format) =>
       h('a', { href: frameAddress(model.id, index, format), download: frameName(index, format) }, format))]));
   };
-  const onServer = h('div', {}, links, all, status, h('h3', {}, 'Files of the run'), files);
+  const onServer = h('div', {}, links, all, status, h('h3', {}, 'Files of the run'), files.element);
   model.gone.subscribe((gone) => { onServer.hidden = gone; });
   return {
     element: h('section', { class: 'panel', 'aria-label': 'Downloads' }, h('h2', {}, 'Downloads'), h('p', { class: 'links' }, png), onServer),

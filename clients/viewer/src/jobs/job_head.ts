@@ -3,7 +3,7 @@ import { hasEnded } from '../api/messages';
 import { cancelSimJob, deleteSimJob } from '../api/sim_jobs';
 import { button, h } from '../ui/dom';
 import type { JobModel } from './job_model';
-import { partDone, progressText, stateText } from './job_text';
+import { partDone, progressText, stateText, workText } from './job_text';
 
 function errorText(model: JobModel): string {
   const error = model.job.value?.error;
@@ -16,6 +16,7 @@ function errorText(model: JobModel): string {
 export function jobHead(model: JobModel): HTMLElement {
   const title = h('h1', {}, model.id);
   const state = h('span', { class: 'state', role: 'status' });
+  const work = h('span', { class: 'job-work' });
   const progress = h('progress', { max: 1, value: 0, 'aria-label': 'Progress' });
   const text = h('span', { class: 'progress-text' });
   const trouble = h('p', { class: 'status', role: 'status' });
@@ -23,7 +24,7 @@ export function jobHead(model: JobModel): HTMLElement {
   const say = (error: unknown): void => model.fault.set(error instanceof Error ? error.message : String(error));
   const cancel = button('Cancel', () => void cancelSimJob(model.id).then((job) => model.learn(job), say), { hidden: true });
   const remove = button('Delete', () => {
-    if (!window.confirm('Delete this job and its frames?')) return;
+    if (!window.confirm(`Delete this job and its ${model.job.value?.study ? 'report' : 'frames'}?`)) return;
     deleteSimJob(model.id).then(() => { location.hash = '#/jobs'; }, say);
   }, { hidden: true });
   const again = h('a', { class: 'button', href: `#/new/${model.id}`, hidden: true }, 'Edit a copy');
@@ -36,6 +37,7 @@ export function jobHead(model: JobModel): HTMLElement {
     title.textContent = job.scene_name || model.id;
     state.textContent = gone ? 'Deleted' : stateText(job);
     state.className = `state state-${gone ? 'deleted' : (job.state ?? '').toLowerCase()}`;
+    work.textContent = workText(job);
     progress.value = job.state === 'SUCCEEDED' ? 1 : partDone(job.progress ?? {});
     text.textContent = progressText(job);
     again.hidden = gone;
@@ -58,6 +60,6 @@ export function jobHead(model: JobModel): HTMLElement {
     fault.hidden = message === '';
   }
   return h('div', { class: 'job-head' },
-    h('div', { class: 'page-head' }, title, state, h('span', { class: 'job-id' }, model.id), h('span', { class: 'push' }), again, cancel, remove),
+    h('div', { class: 'page-head' }, title, state, work, h('span', { class: 'job-id' }, model.id), h('span', { class: 'push' }), again, cancel, remove),
     h('div', { class: 'progress-row' }, progress, text), trouble, fault);
 }

@@ -5,7 +5,7 @@ import { cancelSimJob, deleteSimJob, listSimJobs } from '../api/sim_jobs';
 import { button, h, select } from '../ui/dom';
 import type { Page } from '../ui/page';
 import { askWhileSeen } from '../ui/presence';
-import { progressText, stateText } from './job_text';
+import { progressText, stateText, workText } from './job_text';
 
 const refreshMs = 2000;
 const states: [string, string][] = [['', 'all'], ['QUEUED', 'queued'], ['RUNNING', 'running'], ['SUCCEEDED', 'done'],
@@ -39,12 +39,12 @@ export function jobListPage(): Page {
     const id = jobId(job);
     const name = job.scene_name || id;
     const action = hasEnded(job.state)
-      ? button('Delete', () => void (window.confirm(`Delete ${name} and its frames?`) && attempt(deleteSimJob(id))), { 'aria-label': `Delete ${name}` })
+      ? button('Delete', () => void (window.confirm(`Delete ${name} and its ${job.study ? 'report' : 'frames'}?`) && attempt(deleteSimJob(id))), { 'aria-label': `Delete ${name}` })
       : button('Cancel', () => void attempt(cancelSimJob(id)), { 'aria-label': `Cancel ${name}`, disabled: job.cancel_requested });
     return h('tr', {},
       h('th', { scope: 'row' }, h('a', { href: `#/jobs/${id}` }, name), h('span', { class: 'job-id' }, id)),
       h('td', {}, h('span', { class: `state state-${(job.state ?? '').toLowerCase()}` }, stateText(job))),
-      h('td', {}, progressText(job)), h('td', {}, timeElement(job.create_time)), h('td', { class: 'actions' }, action));
+      h('td', {}, workText(job)), h('td', {}, progressText(job)), h('td', {}, timeElement(job.create_time)), h('td', { class: 'actions' }, action));
   };
 
   // Rows are drawn anew only when they changed, so that a focused button stays where it is.
@@ -53,7 +53,7 @@ export function jobListPage(): Page {
     if (text === view.drawn) return;
     view.drawn = text;
     rows.replaceChildren(...view.jobs.map(row));
-    if (view.jobs.length === 0) rows.append(h('tr', {}, h('td', { colspan: 5 }, 'No jobs here yet.')));
+    if (view.jobs.length === 0) rows.append(h('tr', {}, h('td', { colspan: 6 }, 'No jobs here yet.')));
   };
 
   /// All pages shown, from the newest job on. Of loads that overlap the one that began last counts.
@@ -89,7 +89,7 @@ export function jobListPage(): Page {
     void attempt(Promise.resolve());
   });
   const table = h('table', { class: 'jobs' },
-    h('thead', {}, h('tr', {}, ...['Scene', 'State', 'Progress', 'Made', 'Action'].map((text) => h('th', { scope: 'col' }, text)))), rows);
+    h('thead', {}, h('tr', {}, ...['Scene', 'State', 'Work', 'Progress', 'Made', 'Action'].map((text) => h('th', { scope: 'col' }, text)))), rows);
   const element = h('div', { class: 'page' },
     h('div', { class: 'page-head' }, h('h1', {}, 'Jobs'), filter, h('a', { class: 'button', href: '#/new' }, 'New job')),
     status, h('div', { class: 'table-frame' }, table), more);

@@ -32,13 +32,25 @@ export class JobModel {
   private readonly stop = new AbortController();
   private historyBusy = false;
   private historyWanted = false;
+  private haveAnswer: () => void = () => undefined;
+  private readonly answered = new Promise<void>((resolve) => { this.haveAnswer = resolve; });  // once, to ask()
 
   constructor(readonly id: string) {}
 
   start(): void {
     this.loadScene();
     const { signal } = this.stop;
-    void askWhileSeen(() => this.ask(), () => (hasEnded(this.job.value?.state) ? askEndedEveryMs : askEveryMs), signal);
+    const asking = askWhileSeen(() => this.ask().finally(this.haveAnswer), () => (hasEnded(this.job.value?.state) ? askEndedEveryMs : askEveryMs), signal);
+    void this.follow(signal, asking);
+  }
+
+  /// What has frames: that is known with the first answer about the job.
+  private async follow(signal: AbortSignal, asking: Promise<void>): Promise<void> {
+    await Promise.race([this.answered, asking]);
+    if (this.job.value?.study) {
+      this.streamEnded.set(true);
+      return;
+    }
     followFrames(this.sink(), {
       begin: whileSeen,
       open: async (range, attempt) => openFrameStream(this.id, range, await this.mayStayOpen(attempt), attempt),
@@ -123,6 +135,7 @@ export class JobModel {
   }
 
   private loadHistory(): void {
+    if (this.job.value?.study) return;
     this.historyWanted = true;
     if (this.historyBusy) return;
     this.historyBusy = true;

@@ -8,6 +8,7 @@ import { jobHead } from './job_head';
 import { JobModel } from './job_model';
 import { plotsPanel } from './plots_panel';
 import { stitchPanel } from './stitch_panel';
+import { studyView } from './study_view';
 import { summaryPanel } from './summary_panel';
 import { watchView } from './watch_view';
 
@@ -46,7 +47,15 @@ export function jobPage(id: string): Page {
   const plots = plotsPanel(model);
   const downloads = downloadsPanel(model, () => watch.picture());
   const side = h('div', { class: 'side' }, stitch.element, plots.element, downloads.element, summaryPanel(model));
-  const element = h('div', { class: 'page job-page' }, jobHead(model), h('div', { class: 'job-columns' }, watch.element, side));
+  const columns = h('div', { class: 'job-columns' }, watch.element, side);
+  const element = h('div', { class: 'page job-page' }, jobHead(model), columns);
+  const unlessStudy = model.job.subscribe((job) => {
+    if (!job) return;
+    unlessStudy();
+    if (!job.study) return;
+    watch.leave();
+    columns.replaceWith(studyView(model));
+  });
   model.missing.subscribe((missing) => {
     if (!missing) return;
     element.replaceChildren(h('div', { class: 'page-head' }, h('h1', {}, id)), h('p', { class: 'error-box', role: 'alert' }, model.fault.value),

@@ -21,18 +21,22 @@ export function spanText(seconds: number): string {
   return `${Math.floor(whole / 3600)} h ${String(Math.floor((whole % 3600) / 60)).padStart(2, '0')} min`;
 }
 
-/// From 0 to 1, of simulated time where there is some.
+/// What it does.
+export function workText(job: SimJob): string {
+  return job.study ? (job.study.quick ? 'Quick study' : 'Study') : 'Simulation';
+}
+
+/// From 0 to 1.
 export function partDone(progress: JobProgress): number {
-  const { t = 0, duration_s: duration = 0, frames = 0, num_frames: planned = 0 } = progress;
-  if (duration > 0) return Math.min(t / duration, 1);
-  return planned > 0 ? Math.min(frames / planned, 1) : 0;
+  return Math.min(progress.share_done ?? 0, 1);
 }
 
 export function progressText(job: SimJob): string {
   const progress = job.progress;
   if (!progress) return job.state === 'QUEUED' ? 'waits for a free place' : job.state === 'RUNNING' ? 'starts' : '';
   const { t = 0, duration_s: duration = 0, frames = 0, num_frames: planned = 0, eta_s: left, wall_s: wall = 0 } = progress;
-  const parts = [`${Number(t.toPrecision(3))} of ${duration} s`, `${frames} of ${planned} frames`];
+  const parts = job.study ? [`${Math.floor(100 * partDone(progress))} %`, ...(progress.doing ? [progress.doing] : [])]
+    : [`${Number(t.toPrecision(3))} of ${duration} s`, `${frames} of ${planned} frames`];
   if (job.state === 'RUNNING') parts.push(left === undefined ? 'time left not known yet' : `${spanText(left)} left`);
   else parts.push(`took ${spanText(wall)}`);
   if (progress.error_estimate_m !== undefined) parts.push(`error about ${shortNumber(1e3 * progress.error_estimate_m)} mm`);

@@ -18,6 +18,22 @@ interface Summary {
   predictable_until_s?: number | null;
   linear_solver?: string;
   threads?: number;
+  study?: StudySummary | null;
+}
+
+interface StudySummary {
+  rungs?: { wall_s?: number }[];
+  reference?: { error_m?: number | null };
+  digit_factor?: number | null;
+}
+
+function studyRows({ rungs = [], reference, digit_factor: factor }: StudySummary): [string, string | undefined][] {
+  const error = reference?.error_m;
+  return [
+    ['Ways to run it', String(rungs.filter((rung) => rung.wall_s !== undefined).length)],
+    ['Reference is off by', typeof error === 'number' ? `about ${shortNumber(1e3 * error)} mm` : undefined],
+    ['One more digit costs', typeof factor === 'number' ? `×${shortNumber(factor)} the time` : undefined],
+  ];
 }
 
 function errorText({ error_estimate_m: error, predictable_until_s: until }: Summary): string | undefined {
@@ -31,13 +47,14 @@ function rowsOf(summary: Summary): [string, string][] {
     ['Loops', summary.loops?.toString()],
     ['Nodes', summary.nodes?.toString()],
     ['Unknowns', summary.dofs?.toString()],
-    ['Steps', summary.steps === undefined ? undefined : `${summary.steps}, ${summary.rejected_steps ?? 0} rejected`],
+    ...(summary.study ? studyRows(summary.study) : []),
+    ['Steps', typeof summary.steps !== 'number' ? undefined : `${summary.steps}, ${summary.rejected_steps ?? 0} rejected`],
     ['Newton iterations', summary.newton_iterations?.toString()],
-    ['Wall time', summary.wall_s === undefined ? undefined : spanText(summary.wall_s)],
+    ['Wall time', typeof summary.wall_s !== 'number' ? undefined : spanText(summary.wall_s)],
     ['Error of positions', errorText(summary)],
     ['Yarn stretched to', typeof summary.max_stretch === 'number' ? `${shortNumber(100 * summary.max_stretch)} % at most` : undefined],
     ['Effects', summary.effects?.join(', ').replaceAll('_', ' ')],
-    ['Solver', summary.linear_solver],
+    ['Solver', summary.linear_solver ?? undefined],
     ['Threads', summary.threads?.toString()],
   ];
   return rows.filter((row): row is [string, string] => row[1] !== undefined);
