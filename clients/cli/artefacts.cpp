@@ -95,7 +95,7 @@ Command add_artefacts(CLI::App& root) {
   auto options = std::make_shared<ArtefactsOptions>();
   CLI::App* app = root.add_subcommand("artefacts", "List a job's files, such as a study's report, or fetch them");
   add_job_argument(*app, options->job);
-  app->add_option("--out", options->out, "Folder to write them into, new or empty; default: list them only")
+  app->add_option("--out", options->out, "New or empty folder to write them into")
       ->type_name("DIR");
   app->add_flag("--force", options->force, "Write into a folder that is not empty");
   add_server_option(*app, options->server);

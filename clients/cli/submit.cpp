@@ -61,7 +61,7 @@ Command add_submit(CLI::App& root) {
   add_threads_option(*app, options->threads);
   CLI::Option* study = app->add_flag("--study", options->study, "Study what accuracy costs, in place of a simulation");
   app->add_flag("--quick", options->quick, "A study of fewer ways, and a coarser reference")->needs(study);
-  app->add_option("--budget", options->budget_s, "Wall time for a whole study; what does not fit is not run")
+  app->add_option("--budget", options->budget_s, "Wall time for a study; what does not fit is not run")
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber.description(""))
       ->needs(study);

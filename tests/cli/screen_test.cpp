@@ -62,7 +62,7 @@ TEST(ShareLine, ShowsHowFarWhatAndHowLong) {
   for (int columns = 1; columns <= 80; ++columns)
     EXPECT_LE(share_line(0.47, "BDF2 8.33 ms", 83.0, columns).size(),
               static_cast<std::size_t>(std::max(columns - 1, 1)));
-  EXPECT_EQ(share_line(0.47, "BDF2 8.33 ms", 83.0, 40), "[#####.......]  47 %  BDF2 8.33  ETA 1:23");
+  EXPECT_EQ(share_line(0.47, "BDF2 8.33 ms", 83.0, 40), "[#####.......]  47 %  BDF2 8.  ETA 1:23");
 }
 
 TEST(ProgressLine, NeverRunsOver) {
