@@ -12,10 +12,11 @@ class RestStudyTest : public RestTest {
     body["spec"]["study"] = study;
     return body.dump();
   }
-  std::string violated_field(const Json& study) {
-    const HttpAnswer answer = post_json("/v1/simJobs", body_of(study));
+  std::string violated_field(const char* study) {
+    const HttpAnswer answer = post_json("/v1/simJobs", body_of(Json::parse(study)));
     EXPECT_EQ(answer.status, 400U) << answer.body;
-    for (const Json& detail : Json::parse(answer.body)["details"])
+    const Json status = Json::parse(answer.body);
+    for (const Json& detail : status["details"])
       if (detail.contains("field_violations")) return detail["field_violations"][0]["field"];
     return "";
   }
@@ -66,11 +67,11 @@ TEST_F(RestStudyTest, WhatIsShownHasNoOriginAndRunsNothing) {
 
 TEST_F(RestStudyTest, WrongOrdersAreRefusedByField) {
   start_rest();
-  EXPECT_EQ(violated_field({{"budget_s", -1}}), "spec.study.budget_s");
-  EXPECT_EQ(violated_field({{"budget_s", "60"}}), "spec.study.budget_s");
-  EXPECT_EQ(violated_field({{"budget_s", nullptr}}), "spec.study.budget_s");
-  EXPECT_EQ(violated_field({{"quick", 1}}), "spec.study.quick");
-  EXPECT_EQ(violated_field({{"budget", 1}}), "spec.study.budget");
+  EXPECT_EQ(violated_field(R"({"budget_s": -1})"), "spec.study.budget_s");
+  EXPECT_EQ(violated_field(R"({"budget_s": "60"})"), "spec.study.budget_s");
+  EXPECT_EQ(violated_field(R"({"budget_s": null})"), "spec.study.budget_s");
+  EXPECT_EQ(violated_field(R"({"quick": 1})"), "spec.study.quick");
+  EXPECT_EQ(violated_field(R"({"budget": 1})"), "spec.study.budget");
   Json both = Json::parse(body_of(Json::object()));
   both["spec"]["simulate"] = Json::object();
   const HttpAnswer answer = post_json("/v1/simJobs", both.dump());

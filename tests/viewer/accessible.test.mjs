@@ -3,16 +3,18 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { axePath, openPage, pictureFacts, shoot, smallScene, startBrowser, startServer, submit, untilEnded, untilState } from './support.mjs';
+import { axePath, openPage, pictureFacts, shoot, smallScene, startBrowser, startServer, submit, swing, untilEnded, untilState } from './support.mjs';
 
 const axe = readFileSync(axePath, 'utf8');
 const bodies = { colliders: { colliders: [{ sphere: { centre_m: [0.008, -0.012, -0.006], radius_m: 0.006 } }] } };
-let server, browser, id;
+let server, browser, id, study;
 before(async () => {
   server = await startServer();
   browser = await startBrowser();
   id = await submit(server.address, { ...smallScene, name: 'on a ball', effects: { ...smallScene.effects, ...bodies } });
   assert.equal((await untilEnded(server.address, id)).state, 'SUCCEEDED');
+  study = await submit(server.address, swing, { study: { quick: true } });
+  assert.equal((await untilEnded(server.address, study)).state, 'SUCCEEDED');
   await untilEnded(server.address, await submit(server.address, { ...smallScene, name: 'W'.repeat(180), duration_s: 0.05 }));
 });
 after(async () => {
@@ -40,6 +42,7 @@ const pages = [
     await page.getByLabel('Colour by').selectOption('slid');
     await page.getByRole('button', { name: 'Show' }).click();
   }],
+  ['study', () => `#/jobs/${study}`, (page) => page.locator('.study-report img').nth(1).waitFor()],
 ];
 const looks = [
   ['light', { colorScheme: 'light' }],

@@ -4,15 +4,8 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
-import { getJob, openPage, shoot, startBrowser, startServer, untilProgress, untilState } from './support.mjs';
+import { getJob, openPage, shoot, startBrowser, startServer, submit, swing, untilProgress, untilState } from './support.mjs';
 
-const swing = {
-  name: 'swing',
-  yarns: [{ points_m: Array.from({ length: 5 }, (_, i) => [0.025 * i, 0, 0]).flat() }],
-  effects: { inertia: {}, gravity: {}, stretch: {} },
-  handles: [{ where: { yarn_point: {} } }],
-  duration_s: 0.1, frames_per_s: 30,
-};
 let server, browser, view;
 before(async () => {
   server = await startServer(['--slots', '1']);
@@ -24,16 +17,9 @@ after(async () => {
   await server?.stop();
 });
 
-async function study(scene, work) {
-  const body = JSON.stringify({ spec: { scene, study: work } });
-  const response = await fetch(`${server.address}/v1/simJobs`, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body });
-  assert.equal(response.status, 200, await response.clone().text());
-  return (await response.json()).name.replace('simJobs/', '');
-}
-
 test('a study is a choice beside Submit', async () => {
   const { page } = view;
-  const long = await study({ ...swing, name: 'long', duration_s: 1000 }, {});  // the next one waits for it
+  const long = await submit(server.address, { ...swing, name: 'long', duration_s: 1000 }, { study: {} });  // the next one waits for it
   await page.goto(server.address);
   await page.getByLabel('Work', { exact: true }).selectOption('quick study');
   await page.getByRole('button', { name: 'Submit' }).click();
@@ -55,7 +41,7 @@ test('a study is a choice beside Submit', async () => {
 
 test('its page shows plots and leads to the report, which runs no scripts', async () => {
   const { page, faults } = view;
-  const id = await study(swing, { quick: true });
+  const id = await submit(server.address, swing, { study: { quick: true } });
   await page.goto(`${server.address}/#/jobs/${id}`);
   await untilState(page, 'Done');
   const plots = page.locator('.study-report img');

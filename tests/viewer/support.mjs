@@ -77,9 +77,9 @@ export async function shoot(page, name, options = {}) {
 }
 
 /// Sends a scene as a client would.
-export async function submit(address, scene) {
+export async function submit(address, scene, work = { simulate: {} }) {
   const response = await fetch(`${address}/v1/simJobs`, {
-    method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ spec: { scene, simulate: {} } }),
+    method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ spec: { scene, ...work } }),
   });
   const job = await response.json();
   if (!response.ok) throw new Error(`the server refused: ${JSON.stringify(job)}`);
@@ -108,6 +108,15 @@ export const smallScene = {
   },
   handles: [{ where: { corner: 'TOP_LEFT' } }, { where: { corner: 'TOP_RIGHT' } }],
   duration_s: 0.2,
+};
+
+/// A study of it takes seconds.
+export const swing = {
+  name: 'swing',
+  yarns: [{ points_m: Array.from({ length: 5 }, (_, i) => [0.025 * i, 0, 0]).flat() }],
+  effects: { inertia: {}, gravity: {}, stretch: {} },
+  handles: [{ where: { yarn_point: {} } }],
+  duration_s: 0.1, frames_per_s: 30,
 };
 
 /// Runs on until it is cancelled.
