@@ -21,16 +21,23 @@
 namespace slipstitch {
 namespace {
 
+constexpr double kProgressInterval_s = 0.5;  // at least, because what writes takes its time from runs that are timed
+
 /// progress.json and control.log of a study.
 class StudyDesk {
  public:
   StudyDesk(const RunDir& dir, const StudyWork& work, const RecorderOptions& options)
-      : dir_(dir), work_(work), options_(options), control_(dir.control()), due_(options.progress_interval_s) {}
+      : dir_(dir),
+        work_(work),
+        options_(options),
+        control_(dir.control()),
+        progress_due_(std::max(kProgressInterval_s, options.progress_interval_s)),
+        control_due_(options.control_interval_s) {}
 
   void show(double share, const std::string& doing) {
     now_.share_done = std::max(now_.share_done, share);
     now_.doing = doing;
-    if (due_.due()) write();
+    if (progress_due_.due()) write();
   }
 
   void write() {
@@ -41,7 +48,7 @@ class StudyDesk {
   }
 
   bool should_stop() {
-    if (!cancelled_)
+    if (!cancelled_ && control_due_.due())
       for (const std::string& command : control_.poll()) cancelled_ = cancelled_ || command == kCancelCommand;
     return cancelled_ || !error_.empty() || (options_.should_stop && options_.should_stop());
   }
@@ -61,7 +68,7 @@ class StudyDesk {
   const StudyWork& work_;
   const RecorderOptions& options_;
   ControlLogReader control_;
-  Throttle due_;
+  Throttle progress_due_, control_due_;
   ProgressInfo now_;
   bool cancelled_ = false;
   IoError error_;

@@ -132,6 +132,7 @@ TEST_F(StudyJob, StopsWithinOneNewtonIterationOfACancel) {
   const RunDir dir = stored();
   int looks = 0;
   RecorderOptions options;
+  options.control_interval_s = 0.0;
   options.should_stop = [&] {
     if (++looks == 10) {
       EXPECT_EQ(request_cancel(dir), "");
@@ -142,6 +143,17 @@ TEST_F(StudyJob, StopsWithinOneNewtonIterationOfACancel) {
   ASSERT_TRUE(summary) << summary.error;
   EXPECT_EQ(summary->status, RunStatus::cancelled);
   EXPECT_EQ(looks, 10) << "the next look sees the command first";
+}
+
+TEST_F(StudyJob, FailsWithItsReportWhereThereIsNoReference) {
+  std::string scene = kSwing;
+  scene.insert(1, R"("fixed": {"max_newton_iterations": 1, "smallest_step_s": 0.002}, )");
+  const RunDir dir = stored(scene.c_str());
+  const Result<RunSummary> summary = run_job(dir);
+  ASSERT_TRUE(summary) << summary.error;
+  EXPECT_EQ(summary->status, RunStatus::failed);
+  EXPECT_NE(summary->message.find("there is no reference"), std::string::npos) << summary->message;
+  EXPECT_EQ(list_artefacts(dir).size(), 5U);
 }
 
 TEST_F(StudyJob, ChoosesTheEffectsOfASceneThatLeavesThemToTheProgram) {
