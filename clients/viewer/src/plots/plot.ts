@@ -73,8 +73,13 @@ function axes(x: Axis, y: Axis): SVGElement[] {
   ];
 }
 
-function describe(plot: PlotData): string {
-  const last = plot.series.map((series) => `${series.name} ${shortNumber(series.y[series.y.length - 1])} ${plot.unit}`.trim());
+const resolved = 1e-3;  // of the largest value of a plot: less than a pixel
+
+/// What a plot shows, in words.
+export function describePlot(plot: PlotData): string {
+  const most = plot.series.flatMap(({ y }) => y.filter((value) => shown(plot, value))).reduce((a, b) => Math.max(a, Math.abs(b)), 0);
+  const least = plot.logarithmic ? 0 : resolved * most;
+  const last = plot.series.map((series) => `${series.name} ${shortNumber(series.y[series.y.length - 1], least)} ${plot.unit}`.trim());
   return `${plot.title} over ${shortNumber(plot.x[plot.x.length - 1] ?? 0)} s. At the end: ${last.join(', ')}.`;
 }
 
@@ -88,7 +93,7 @@ export interface PlotFigure {
 export function plotFigure(plot: PlotData): PlotFigure {
   const [x, y] = [xAxis(plot), yAxis(plot)];
   const now = svg('line', { class: 'now', y1: size.top, y2: size.height - size.bottom });
-  const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${size.width} ${size.height}`, role: 'img', 'aria-label': describe(plot) },
+  const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${size.width} ${size.height}`, role: 'img', 'aria-label': describePlot(plot) },
     ...axes(x, y),
     ...plot.series.map((series, index) => svg('path', { class: `series series-${index % 12}`, d: line(plot, series, x, y) })), now);
   const unit = plot.unit ? ` in ${plot.unit}` : '';
