@@ -22,8 +22,8 @@ describe('numbers that are rounding only', () => {
   });
   it('read 0 beside the others of a plot', () => {
     const plot: PlotData = { title: 'Energy', unit: 'J', x: [0, 1], logarithmic: false,
-      series: [{ name: 'gravity', y: [0, -1.2e-23] }, { name: 'bending', y: [0, 2e-6] }] };
+      series: [{ name: 'gravity', term: 'gravity', y: [0, -1.2e-23] }, { name: 'bending', term: 'bending', y: [0, 2e-6] }] };
     expect(describePlot(plot)).toBe('Energy over 1 s. At the end: gravity 0 J, bending 2.00e-6 J.');
-    expect(describePlot({ ...plot, logarithmic: true, series: [{ name: 'error', y: [1, 1e-9] }] })).toMatch(/error 1\.00e-9 J/);
+    expect(describePlot({ ...plot, logarithmic: true, series: [{ name: 'error', term: '', y: [1, 1e-9] }] })).toMatch(/error 1\.00e-9 J/);
   });
 });

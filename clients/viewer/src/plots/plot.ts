@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { shortNumber } from '../scene/number_text';
 import { h, svg } from '../ui/dom';
+import { lookOf } from './effect_looks';
 import type { PlotData, Series } from './history';
 import { logTicks, ticks } from './ticks';
 
@@ -83,6 +84,19 @@ export function describePlot(plot: PlotData): string {
   return `${plot.title} over ${shortNumber(plot.x[plot.x.length - 1] ?? 0)} s. At the end: ${last.join(', ')}.`;
 }
 
+function path(series: Series, d: string): SVGElement {
+  const { light, dark, dash } = lookOf(series.term);
+  const element = svg('path', { class: 'series', d, 'stroke-dasharray': dash });
+  element.style.setProperty('--light', light);
+  element.style.setProperty('--dark', dark);
+  return element;
+}
+
+function legendOf(plot: PlotData): HTMLElement {
+  return h('ul', { class: 'series-legend' }, ...plot.series.map((series) =>
+    h('li', {}, svg('svg', { class: 'swatch', viewBox: '0 0 24 4', 'aria-hidden': 'true' }, path(series, 'M0 2H24')), series.name)));
+}
+
 export interface PlotFigure {
   element: HTMLElement;
   /// Moves the line that marks a simulated time in s.
@@ -95,10 +109,9 @@ export function plotFigure(plot: PlotData): PlotFigure {
   const now = svg('line', { class: 'now', y1: size.top, y2: size.height - size.bottom });
   const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${size.width} ${size.height}`, role: 'img', 'aria-label': describePlot(plot) },
     ...axes(x, y),
-    ...plot.series.map((series, index) => svg('path', { class: `series series-${index % 12}`, d: line(plot, series, x, y) })), now);
+    ...plot.series.map((series) => path(series, line(plot, series, x, y))), now);
   const unit = plot.unit ? ` in ${plot.unit}` : '';
-  const legend = plot.series.length > 1 && h('ul', { class: 'series-legend' }, ...plot.series.map((series, index) =>
-    h('li', {}, h('span', { class: `swatch series-${index % 12}`, 'aria-hidden': 'true' }), series.name)));
+  const legend = plot.series.length > 1 && legendOf(plot);
   const element = h('figure', { class: 'plot-figure' }, h('figcaption', {}, `${plot.title}${unit}, over time in s`), picture, legend);
   const showTime = (t: number): void => {
     const at = x.place(Math.min(Math.max(t, x.low), x.high)).toFixed(1);
