@@ -6,8 +6,6 @@ import { describePlot } from '../src/plots/plot';
 import { shortNumber } from '../src/scene/number_text';
 
 describe('shortNumber', () => {
-  it('writes three digits', () => expect([0, 1.2345, -273.15, 1.234e-5, 123456, NaN].map((value) => shortNumber(value)))
-    .toEqual(['0', '1.23', '-273', '1.23e-5', '1.23e5', '–']));
   it('writes 0 for what is smaller than is resolved, without a sign', () => {
     expect([-6.64e-16, 6.64e-16, -9.99e-4, -0].map((value) => shortNumber(value, 1e-3))).toEqual(['0', '0', '0', '0']);
     expect([1e-3, -1.5].map((value) => shortNumber(value, 1e-3))).toEqual(['0.001', '-1.5']);
