@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { axePath, openPage, pictureFacts, shoot, smallScene, startBrowser, startServer, submit, swing, untilEnded, untilState } from './support.mjs';
+import { axePath, openPage, pictureFacts, shoot, smallScene, startBrowser, startServer, submit, swing, untilEnded, untilPlotted, untilState } from './support.mjs';
 
 const axe = readFileSync(axePath, 'utf8');
 const bodies = { colliders: { colliders: [{ sphere: { centre_m: [0.008, -0.012, -0.006], radius_m: 0.006 } }] } };
@@ -38,7 +38,7 @@ const pages = [
   ['job', () => `#/jobs/${id}`, async (page) => {
     await page.locator('canvas.stage[data-drawn]').waitFor();
     await untilState(page, 'Done');
-    await page.locator('svg.plot').first().waitFor();
+    await untilPlotted(page, smallScene.duration_s);
     await page.getByLabel('Colour by').selectOption('slid');
     await page.getByRole('button', { name: 'Show' }).click();
   }],

@@ -2,7 +2,7 @@
 // A job that runs: reload, lost connection, cancel, list, delete.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { endlessScene, framesMade, getJob, openPage, shoot, startBrowser, startServer, submit, untilFrame, untilProgress, untilState } from './support.mjs';
+import { endlessScene, framesMade, getJob, openPage, shoot, startBrowser, startServer, submit, untilFrame, untilPlotted, untilProgress, untilState } from './support.mjs';
 import { startWire } from './wire.mjs';
 
 let server, browser, view, id;
@@ -22,7 +22,7 @@ test('it is followed live with progress', async () => {
   await page.goto(`${server.address}/#/jobs/${id}`);
   await untilFrame(page, 3);
   await untilState(page, 'Running');
-  await untilProgress(page, /of 1000 s · \d+ of 100001 frames · .*(left|time left)/);  // asked for apart from the frames
+  await untilProgress(page, /of 1000 s · frame \d+ of 100000 · .*(left|time left)/);  // asked for apart from the frames
   assert.equal(await page.getByRole('button', { name: 'Live' }).getAttribute('aria-pressed'), 'true');
 });
 
@@ -36,6 +36,23 @@ test('a reload in the middle takes it up again, from the first frame on', async 
   assert.match(await page.textContent('.frame-place'), /^frame 0 of 100000, 0 s$/);
   await page.getByRole('button', { name: 'Live' }).click();
   await shoot(page, 'job-running');
+});
+
+test('head, player and plots move together, though the job tells of nothing new', async () => {
+  const { page, faults, close } = await openPage(browser);
+  await page.goto(`${server.address}/#/jobs/${id}`);
+  await untilFrame(page, 3);
+  const job = await getJob(server.address, id);
+  await page.route(`**/v1/simJobs/${id}`, (route) => route.fulfill({ json: job }));
+  const wanted = job.progress.frames + 40;
+  await untilFrame(page, wanted);
+  const [head, player] = await page.evaluate(() => ['.progress-text', '.frame-place'].map((place) =>
+    /frame \d+ of 100000/.exec(document.querySelector(place).textContent)?.[0]));
+  assert.equal(head, player);
+  await untilPlotted(page, wanted / endlessScene.frames_per_s);
+  await shoot(page, 'job-together', { fullPage: true });
+  assert.deepEqual(faults, []);
+  await close();
 });
 
 test('its files are there while it runs, and fetching all frames can be stopped', async () => {

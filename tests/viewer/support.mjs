@@ -142,6 +142,14 @@ export function untilFrame(page, least) {
   return page.waitForFunction((index) => Number(document.querySelector('canvas.stage')?.dataset.frame ?? -1) >= index, least);
 }
 
+/// Waits until all plots reach a simulated time in s.
+export function untilPlotted(page, least) {
+  return page.waitForFunction((t) => {
+    const ends = [...document.querySelectorAll('svg.plot')].map((plot) => Number(/ over (\S+) s\./.exec(plot.ariaLabel)?.[1]));
+    return ends.length > 0 && ends.every((end) => end >= t);
+  }, least);
+}
+
 /// Parts of the picture's pixels that are yarn or bodies, and that are red and blue among them, how many different colours
 /// they have, their mean and the box around them in px. Read from a picture of the page, so that it is what a person sees.
 export async function pictureFacts(page) {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { getJob, openPage, pictureFacts, shoot, startBrowser, startServer, untilState } from './support.mjs';
+import { getJob, openPage, pictureFacts, shoot, startBrowser, startServer, untilPlotted, untilState } from './support.mjs';
 
 let server, browser, view;
 before(async () => {
@@ -102,6 +102,7 @@ test('the job runs, is watched and scrubbed', async () => {
 
   const facts = await pictureFacts(page);
   assert.ok(facts.covered > 0.05 && facts.colours > 20, `the picture is empty: ${JSON.stringify(facts)}`);
+  await untilPlotted(page, 0.2);
   await shoot(page, 'drawn-job', { fullPage: true });
 
   const scrubber = page.getByRole('slider', { name: 'Frame' });
@@ -172,6 +173,19 @@ test('plots, picture, history and frames are there to take', async () => {
   const { page, faults } = view;
   await page.locator('svg.plot').nth(2).waitFor();
   assert.match(await page.textContent('.plot-figure figcaption'), /^Energy by effect, change since the start in J/);
+  const looks = (place) => page.locator(`.plot-figure:has(.series-legend) ${place} .series`).evaluateAll((lines) => lines.map((line) => {
+    const { stroke, strokeDasharray } = getComputedStyle(line);
+    return `${stroke} ${strokeDasharray}`;
+  }));
+  const light = await looks('.plot');
+  assert.ok(light.length >= 5 && new Set(light).size === light.length, `each its own: ${light.join('; ')}`);
+  assert.deepEqual(await looks('.series-legend'), light);
+  await page.getByLabel('Theme').selectOption('dark');
+  const dark = await looks('.plot');
+  assert.ok(dark.every((look) => !light.includes(look)), dark.join('; '));
+  assert.deepEqual(await looks('.series-legend'), dark);
+  await shoot(page, 'job-plots-dark', { fullPage: true });
+  await page.getByLabel('Theme').selectOption('light');
   await page.getByLabel('energies as change').uncheck();
   const titles = await page.locator('.plot-figure figcaption').allTextContents();
   assert.ok(titles.some((title) => title.startsWith('Energy by effect in J')) && titles.some((title) => title.startsWith('Newton iterations')), titles.join());

@@ -2,6 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { lengthFactor, slidLengths, strains, visitMeans, wrapAngles } from '../src/fabric/derive';
 import { contactWraps, rangeOf, valuesOfVisits } from '../src/fabric/quantities';
+import { shortNumber } from '../src/scene/number_text';
 import { exportedFrame, goldenRun } from './golden';
 
 const { fabric, frames } = goldenRun();
@@ -54,6 +55,12 @@ describe('quantities', () => {
     const [low, high] = rangeOf(Float64Array.of(2, 2), false);
     expect(high).toBeGreaterThan(low);
   });
+
+  it.each([[[-6e-16, 3e-15], false], [[-9e-4, 8e-4], false], [[-9e-4, 1.05e-3], false], [[-6e-16, 3e-15], true]])(
+    'has ends that read differently where all is below what is resolved: %j', (values, diverging) => {
+      const [low, high] = rangeOf(Float64Array.from(values), diverging, 1e-3).map((end) => Number(shortNumber(end, 1e-3)));
+      expect(low).toBeLessThan(high);
+    });
 });
 
 describe('lengthFactor', () => {

@@ -30,7 +30,7 @@ describe('history.csv', () => {
   });
   it('draws a point that stands alone', () => {
     const axis = { place: (value: number) => value };
-    const path = (y: number[]): string => line({ ...plots[0], x: [1, 2, 3, 4], logarithmic: false }, { name: 'y', y }, axis, axis);
+    const path = (y: number[]): string => line({ ...plots[0], x: [1, 2, 3, 4], logarithmic: false }, { name: 'y', term: '', y }, axis, axis);
     expect(path([NaN, 5, NaN, NaN])).toBe('M2.0 5.0m-2 0a2 2 0 1 0 4 0a2 2 0 1 0 -4 0');
     expect(path([NaN, 5, 6, NaN])).toBe('M2.0 5.0L3.0 6.0');
     expect(path([NaN, NaN, NaN, 5])).toMatch(/^M4\.0 5\.0m.*a/);

@@ -119,7 +119,7 @@ describe('numbers', () => {
     expect(['', '42', '18446744073709551615', '-9007199254740993'].map(parseWhole)).toEqual([undefined, 42, '18446744073709551615', '-9007199254740993']);
     expect(() => parseWhole('1e19')).toThrow(/all digits/);
   });
-  it('are short for reading', () => expect([0, 1.23456, -0.00012, 123456, NaN].map(shortNumber)).toEqual(['0', '1.23', '-1.20e-4', '1.23e5', '–']));
+  it('are short for reading', () => expect([0, 1.23456, -0.00012, 123456, NaN].map((value) => shortNumber(value))).toEqual(['0', '1.23', '-1.20e-4', '1.23e5', '–']));
 });
 
 describe('errors at fields', () => {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 import { colourTable } from './colour_map';
-import { quantities, type QuantityName } from '../fabric/quantities';
+import { quantities, quantityOf, type QuantityName } from '../fabric/quantities';
 import { parseNumber, shortNumber } from '../scene/number_text';
 import { h, select } from '../ui/dom';
 
@@ -77,7 +77,7 @@ export function legend(choice: ColourChoice, changed: () => void): Legend {
     choice.range = undefined;
     lock.checked = false;
     complain('');
-    const quantity = quantities.find((candidate) => candidate.name === name) ?? quantities[0];
+    const quantity = quantityOf(name);
     scale.hidden = name === 'none';
     unit.textContent = quantity.unit;
     paintRamp(canvas, quantity.diverging);
@@ -89,8 +89,9 @@ export function legend(choice: ColourChoice, changed: () => void): Legend {
     element,
     show: ([lowest, highest]) => {
       if (choice.range || document.activeElement === low || document.activeElement === high) return;
-      low.value = shortNumber(lowest);
-      high.value = shortNumber(highest);
+      const { least } = quantityOf(choice.name);
+      low.value = shortNumber(lowest, least);
+      high.value = shortNumber(highest, least);
     },
   };
 }

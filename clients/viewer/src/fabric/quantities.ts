@@ -9,17 +9,23 @@ export interface Quantity {
   name: QuantityName;
   label: string;
   unit: string;
+  /// The smallest size that is told from 0, in `unit`: far above rounding, and below what matters of a fabric.
+  least: number;
   /// Shown around zero, with two colours.
   diverging: boolean;
 }
 
 export const quantities: readonly Quantity[] = [
-  { name: 'none', label: 'Plain yarn', unit: '', diverging: false },
-  { name: 'stretch', label: 'Stretch', unit: '%', diverging: false },
-  { name: 'tension', label: 'Tension', unit: 'mN', diverging: false },
-  { name: 'wrap', label: 'Wrapping angle', unit: '°', diverging: true },
-  { name: 'slid', label: 'Sliding', unit: 'mm', diverging: true },
+  { name: 'none', label: 'Plain yarn', unit: '', least: 0, diverging: false },
+  { name: 'stretch', label: 'Stretch', unit: '%', least: 1e-6, diverging: false },
+  { name: 'tension', label: 'Tension', unit: 'mN', least: 1e-6, diverging: false },
+  { name: 'wrap', label: 'Wrapping angle', unit: '°', least: 1e-3, diverging: true },
+  { name: 'slid', label: 'Sliding', unit: 'mm', least: 1e-6, diverging: true },
 ];
+
+export function quantityOf(name: string): Quantity {
+  return quantities.find((candidate) => candidate.name === name) ?? quantities[0];
+}
 
 /// Signed so that the wrapping effect drives every contact towards the same positive angle at rest, knit or purl, left
 /// or right; mean of the two diagonals, in rad. NaN where a contact has neither.
@@ -52,8 +58,9 @@ export function valuesOfVisits(name: QuantityName, fabric: Fabric, frame: Frame,
   }
 }
 
-/// Smallest and largest value, around zero if the quantity diverges; [0, 1] where there is none.
-export function rangeOf(values: Float64Array, diverging: boolean): [number, number] {
+/// Smallest and largest value, around zero if the quantity diverges; [0, 1] where there is none. Its ends differ by what
+/// is told from 0 at `least`.
+export function rangeOf(values: Float64Array, diverging: boolean, least = 1e-6): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const value of values) {
     if (Number.isNaN(value)) continue;
@@ -62,9 +69,9 @@ export function rangeOf(values: Float64Array, diverging: boolean): [number, numb
   }
   if (low > high) return [0, 1];
   if (diverging) {
-    const most = Math.max(Math.abs(low), Math.abs(high), 1e-6);
+    const most = Math.max(Math.abs(low), Math.abs(high), least);
     return [-most, most];
   }
-  if (high - low <= 1e-12 * Math.max(Math.abs(low), Math.abs(high), 1)) high = low + 1e-6;
+  if (high - low <= 2 * least) high = low + 2 * least;
   return [low, high];
 }

@@ -38,15 +38,28 @@ export function jobHead(model: JobModel): HTMLElement {
     state.textContent = gone ? 'Deleted' : stateText(job);
     state.className = `state state-${gone ? 'deleted' : (job.state ?? '').toLowerCase()}`;
     work.textContent = workText(job);
-    progress.value = job.state === 'SUCCEEDED' ? 1 : partDone(job.progress ?? {});
-    text.textContent = progressText(job);
+    showProgressSoon();
     again.hidden = gone;
     cancel.hidden = ended || gone;
     cancel.disabled = job.cancel_requested === true;
     remove.hidden = !ended || gone;
     showFault();
   };
+  /// With the next picture of the screen, as the player does, so that both tell of the same frame.
+  const asked = { request: 0 };
+  function showProgressSoon(): void {
+    if (asked.request === 0) asked.request = requestAnimationFrame(showProgress);
+  }
+  function showProgress(): void {
+    asked.request = 0;
+    const job = model.job.value;
+    if (!job) return;
+    progress.value = job.state === 'SUCCEEDED' ? 1 : partDone(model.progress() ?? {});
+    const now = progressText(job, model.progress());
+    if (text.textContent !== now) text.textContent = now;
+  }
   model.job.subscribe(showJob);
+  model.frames.subscribe(showProgressSoon);
   model.gone.subscribe(showJob);
   const showTrouble = (): void => {
     const crowded = model.crowded.value && !model.gone.value && !hasEnded(model.job.value?.state) && 'Several windows follow runs: in this one frames come every 2 s.';

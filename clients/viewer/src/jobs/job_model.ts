@@ -2,7 +2,7 @@
 // All that the page of a job knows, kept up to date from the server: state -> views.
 import { ApiError } from '../api/api_error';
 import { followFrames, type FrameSink } from '../api/follow_frames';
-import { hasEnded, type SimJob } from '../api/messages';
+import { hasEnded, type JobProgress, type SimJob } from '../api/messages';
 import { artefactText, getSimJob, openFrameStream } from '../api/sim_jobs';
 import { takeStreamTurn } from '../api/stream_turn';
 import { makeFabric, stateLength, type Fabric } from '../fabric/fabric';
@@ -14,6 +14,8 @@ import { Signal } from '../ui/signal';
 
 const askEveryMs = 1000;
 const askEndedEveryMs = 5000;  // it can still be deleted
+const historyEveryMs = 300;    // at most
+const historyAgainMs = 2000;   // where it could not be had
 
 export class JobModel {
   readonly job = new Signal<SimJob | undefined>(undefined);
@@ -30,10 +32,12 @@ export class JobModel {
   readonly frames = new Signal(0);             // how many came
   readonly streamEnded = new Signal(false);
   private readonly stop = new AbortController();
+  private readonly ended = new AbortController();  // aborts when the job has ended or the page is left
   private historyBusy = false;
   private historyWanted = false;
   private haveAnswer: () => void = () => undefined;
   private readonly answered = new Promise<void>((resolve) => { this.haveAnswer = resolve; });  // once, to ask()
+  private historyWhole = false;  // nothing will come after it
 
   constructor(readonly id: string) {}
 
@@ -60,11 +64,25 @@ export class JobModel {
 
   /// Answers overtake each other: what is older than what is known is left.
   learn(job: SimJob): void {
-    if (BigInt(job.revision ?? 0) >= BigInt(this.job.value?.revision ?? 0)) this.job.set(job);
+    const before = this.job.value;
+    if (BigInt(job.revision ?? 0) < BigInt(before?.revision ?? 0)) return;
+    this.job.set(job);
+    if (hasEnded(job.state)) this.ended.abort();
+    if (job.progress?.frames !== before?.progress?.frames || job.state !== before?.state) this.loadHistory();
+  }
+
+  /// How far the run is, from the job or the frames that came: the larger of both, as neither waits for the other.
+  progress(): JobProgress | undefined {
+    const [told, last] = [this.job.value?.progress, this.store.last];
+    if (!told || !last) return told;
+    const t = Math.max(told.t ?? 0, last.t);
+    const share = told.duration_s ? t / told.duration_s : 0;
+    return { ...told, t, share_done: Math.max(told.share_done ?? 0, share), frames: Math.max(told.frames ?? 0, last.index + 1) };
   }
 
   end(): void {
     this.stop.abort();
+    this.ended.abort();
   }
 
   private async mayStayOpen(attempt: AbortSignal): Promise<boolean> {
@@ -75,17 +93,15 @@ export class JobModel {
 
   /// True: there is no use in asking again.
   private async ask(): Promise<boolean> {
-    const before = this.job.value;
     try {
       const job = await getSimJob(this.id);
       if (this.stop.signal.aborted) return true;
       this.lost.set('');
       this.learn(job);
-      if (job.progress?.frames !== before?.progress?.frames || job.state !== before?.state) this.loadHistory();
       return false;
     } catch (error) {
       if (error instanceof ApiError && error.httpStatus === 404) {
-        if (before) this.forget();
+        if (this.job.value) this.forget();
         else this.miss(error);
         return true;
       }
@@ -118,6 +134,7 @@ export class JobModel {
         if (!fabric || q.length !== stateLength(fabric)) throw new ApiError(400, { message: `frame ${index} does not fit the header` });
         const stride = this.store.add({ index, t, q });
         this.frames.set(this.frames.value + 1);
+        this.loadHistory();
         return stride;
       },
       end: () => this.streamEnded.set(true),
@@ -137,18 +154,35 @@ export class JobModel {
   private loadHistory(): void {
     if (this.job.value?.study) return;
     this.historyWanted = true;
-    if (this.historyBusy) return;
+    if (!this.historyBusy) void this.readHistories();
+  }
+
+  /// Reads the history for as long as somebody wants it, long ones seldom, and the whole one at once when the job has ended.
+  private async readHistories(): Promise<void> {
     this.historyBusy = true;
-    this.historyWanted = false;
-    const begun = performance.now();
-    artefactText(this.id, 'history.csv')
-      .then((text) => this.history.set(parseHistory(text)))
-      .catch(() => undefined)  // a job that has not begun has none
-      .then(() => sleep(Math.max(300, 10 * (performance.now() - begun)), this.stop.signal))  // long ones seldom
-      .then(() => {
-        this.historyBusy = false;
-        if (this.historyWanted && !this.stop.signal.aborted) this.loadHistory();
-      });
+    while (this.historyWanted && !this.historyWhole) {
+      const seen = await whileSeen(this.stop.signal);
+      seen.abort();
+      if (this.stop.signal.aborted) break;
+      this.historyWanted = false;
+      const begun = performance.now();
+      if (await this.readHistory()) await sleep(Math.max(historyEveryMs, 10 * (performance.now() - begun)), this.ended.signal);
+      else await sleep(historyAgainMs, this.stop.signal);
+    }
+    this.historyBusy = false;
+  }
+
+  /// False: asking again may help.
+  private async readHistory(): Promise<boolean> {
+    const ended = hasEnded(this.job.value?.state);
+    try {
+      this.history.set(parseHistory(await artefactText(this.id, 'history.csv')));
+    } catch (error) {
+      this.historyWanted = !(error instanceof ApiError && error.httpStatus === 404);  // a job that has not begun has none
+      if (this.historyWanted) return false;
+    }
+    this.historyWhole = ended;
+    return true;
   }
 
   private failed(error: unknown): void {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 import type { JobProgress, JobState, SimJob } from '../api/messages';
+import { frameText } from '../player/frame_text';
 import { shortNumber } from '../scene/number_text';
 
 const words: Partial<Record<JobState, string>> = {
@@ -31,12 +32,11 @@ export function partDone(progress: JobProgress): number {
   return Math.min(progress.share_done ?? 0, 1);
 }
 
-export function progressText(job: SimJob): string {
-  const progress = job.progress;
+export function progressText(job: SimJob, progress = job.progress): string {
   if (!progress) return job.state === 'QUEUED' ? 'waits for a free place' : job.state === 'RUNNING' ? 'starts' : '';
   const { t = 0, duration_s: duration = 0, frames = 0, num_frames: planned = 0, eta_s: left, wall_s: wall = 0 } = progress;
   const parts = job.study ? [`${Math.floor(100 * partDone(progress))} %`, ...(progress.doing ? [progress.doing] : [])]
-    : [`${Number(t.toPrecision(3))} of ${duration} s`, `${frames} of ${planned} frames`];
+    : [`${Number(t.toPrecision(3))} of ${duration} s`, frameText(frames - 1, planned)];
   if (job.state === 'RUNNING') parts.push(left === undefined ? 'time left not known yet' : `${spanText(left)} left`);
   else parts.push(`took ${spanText(wall)}`);
   if (progress.error_estimate_m !== undefined) parts.push(`error about ${shortNumber(1e3 * progress.error_estimate_m)} mm`);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { quantityOf, type QuantityName } from '../fabric/quantities';
 import type { StitchFacts } from '../fabric/stitch_facts';
 import { shortNumber } from '../scene/number_text';
 import { button, h } from '../ui/dom';
@@ -8,13 +9,14 @@ export interface StitchPanel {
   show(facts: StitchFacts | undefined): void;
 }
 
-function rowsOf(facts: StitchFacts): [string, string][] {
+export function rowsOfStitch(facts: StitchFacts): [string, string][] {
+  const text = (name: QuantityName, value: number): string => shortNumber(value, quantityOf(name).least);
   return [
-    ['Stretch of the loop, mean', `${shortNumber(100 * facts.meanStretch)} %`],
-    ['Largest tension', `${shortNumber(1000 * facts.mostTension)} mN`],
+    ['Stretch of the loop, mean', `${text('stretch', 100 * facts.meanStretch)} %`],
+    ['Largest tension', `${text('tension', 1000 * facts.mostTension)} mN`],
     ...facts.wraps.map(({ where, angle }): [string, string] =>
-      [`Wrapping angle, ${where}`, Number.isNaN(angle) ? '–' : `${shortNumber((angle * 180) / Math.PI)}°`]),
-    ['Slid, at most', `${shortNumber(1000 * facts.slid)} mm`],
+      [`Wrapping angle, ${where}`, Number.isNaN(angle) ? '–' : `${text('wrap', (angle * 180) / Math.PI)}°`]),
+    ['Slid, at most', `${text('slid', 1000 * facts.slid)} mm`],
     ['Yarn in the loop', `${shortNumber(1000 * facts.length)} mm`],
   ];
 }
@@ -51,7 +53,7 @@ export function stitchPanel(choose: (course: number, wale: number) => string | u
       course.value = String(facts.course);
       wale.value = String(facts.wale);
     }
-    numbers.replaceChildren(...(facts ? rowsOf(facts) : []).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));
+    numbers.replaceChildren(...(facts ? rowsOfStitch(facts) : []).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));
   };
   show(undefined);
   return { element: h('section', { class: 'panel', 'aria-label': 'Stitch' }, h('h2', {}, 'Stitch'), title, pick, error, numbers), show };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Picture, legend and player of a job. One place decides what is shown: `refresh`.
 import type { Fabric, Frame } from '../fabric/fabric';
-import { quantities, rangeOf, valuesOfVisits } from '../fabric/quantities';
+import { quantityOf, rangeOf, valuesOfVisits } from '../fabric/quantities';
 import { FabricView } from '../draw/fabric_view';
 import { legend, type ColourChoice } from '../draw/legend';
 import type { ViewName } from '../draw/stage';
@@ -61,9 +61,9 @@ export function watchView(model: JobModel, sink: WatchSink): WatchView {
     const wanted = [frame, choice.name, choice.range];
     if (wanted.every((part, index) => part === drawing.shown[index])) return;
     drawing.shown = wanted;
-    const quantity = quantities.find((candidate) => candidate.name === choice.name) ?? quantities[0];
+    const quantity = quantityOf(choice.name);
     const values = valuesOfVisits(choice.name, fabric, frame, model.store.first ?? frame);
-    const range = choice.range ?? rangeOf(values, quantity.diverging);
+    const range = choice.range ?? rangeOf(values, quantity.diverging, quantity.least);
     colours.show(range);
     drawing.view?.show(frame, { values, range, diverging: quantity.diverging, on: choice.name !== 'none' });
     canvas.dataset.frame = String(frame.index);

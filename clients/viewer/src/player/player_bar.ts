@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { frameText } from './frame_text';
 import type { FrameStore } from './frame_store';
 import { speeds, type Player } from './player';
 import { button, h, select } from '../ui/dom';
@@ -36,7 +37,7 @@ export function playerBar(player: Player, store: FrameStore, changed: () => void
     scrubber.max = String(last);
     scrubber.value = String(player.place);
     scrubber.disabled = play.disabled = store.count < 2;
-    const text = frame ? `frame ${frame.index}${planned > 0 ? ` of ${planned - 1}` : ''}, ${Number(frame.t.toPrecision(4))} s` : 'no frame yet';
+    const text = frameText(frame?.index ?? -1, planned) + (frame ? `, ${Number(frame.t.toPrecision(4))} s` : '');
     if (place.textContent !== text) place.textContent = text;
     scrubber.setAttribute('aria-valuetext', text);
     play.textContent = player.playing ? 'Pause' : 'Play';

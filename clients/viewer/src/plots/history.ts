@@ -20,6 +20,7 @@ export function parseHistory(text: string): History {
 
 export interface Series {
   name: string;
+  term: string;  // of the energy, as in its column; empty for other values
   y: readonly number[];
 }
 
@@ -53,9 +54,9 @@ export function plotsOf(history: History, sinceStart = false): PlotData[] {
   const x = column(history, 't_s');
   const energies = history.columns
     .filter((name) => name.endsWith('_j') && column(history, name).some((value) => value !== 0 && !Number.isNaN(value)))
-    .map((name) => ({ name: name.slice(0, -2).replaceAll('_', ' '), y: sinceStart ? changes(column(history, name)) : column(history, name) }));
+    .map((name) => ({ name: name.slice(0, -2).replaceAll('_', ' '), term: name.slice(0, -2), y: sinceStart ? changes(column(history, name)) : column(history, name) }));
   const single = (title: string, unit: string, y: readonly number[], logarithmic: boolean): PlotData =>
-    ({ title, unit, x, series: [{ name: title, y }], logarithmic });
+    ({ title, unit, x, series: [{ name: title, term: '', y }], logarithmic });
   const plots: PlotData[] = [
     { title: sinceStart ? 'Energy by effect, change since the start' : 'Energy by effect', unit: 'J', x, series: energies, logarithmic: false },
     single('Step size', 's', column(history, 'step_s'), true),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 import { shortNumber } from '../scene/number_text';
 import { h, svg } from '../ui/dom';
+import { lookOf } from './effect_looks';
 import type { PlotData, Series } from './history';
 import { logTicks, ticks } from './ticks';
 
@@ -73,9 +74,27 @@ function axes(x: Axis, y: Axis): SVGElement[] {
   ];
 }
 
-function describe(plot: PlotData): string {
-  const last = plot.series.map((series) => `${series.name} ${shortNumber(series.y[series.y.length - 1])} ${plot.unit}`.trim());
+const resolved = 1e-3;  // of the largest value of a plot: less than a pixel
+
+/// What a plot shows, in words.
+export function describePlot(plot: PlotData): string {
+  const most = plot.series.flatMap(({ y }) => y.filter((value) => shown(plot, value))).reduce((a, b) => Math.max(a, Math.abs(b)), 0);
+  const least = plot.logarithmic ? 0 : resolved * most;
+  const last = plot.series.map((series) => `${series.name} ${shortNumber(series.y[series.y.length - 1], least)} ${plot.unit}`.trim());
   return `${plot.title} over ${shortNumber(plot.x[plot.x.length - 1] ?? 0)} s. At the end: ${last.join(', ')}.`;
+}
+
+function path(series: Series, d: string): SVGElement {
+  const { light, dark, dash } = lookOf(series.term);
+  const element = svg('path', { class: 'series', d, 'stroke-dasharray': dash });
+  element.style.setProperty('--light', light);
+  element.style.setProperty('--dark', dark);
+  return element;
+}
+
+function legendOf(plot: PlotData): HTMLElement {
+  return h('ul', { class: 'series-legend' }, ...plot.series.map((series) =>
+    h('li', {}, svg('svg', { class: 'swatch', viewBox: '0 0 24 4', 'aria-hidden': 'true' }, path(series, 'M0 2H24')), series.name)));
 }
 
 export interface PlotFigure {
@@ -88,12 +107,11 @@ export interface PlotFigure {
 export function plotFigure(plot: PlotData): PlotFigure {
   const [x, y] = [xAxis(plot), yAxis(plot)];
   const now = svg('line', { class: 'now', y1: size.top, y2: size.height - size.bottom });
-  const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${size.width} ${size.height}`, role: 'img', 'aria-label': describe(plot) },
+  const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${size.width} ${size.height}`, role: 'img', 'aria-label': describePlot(plot) },
     ...axes(x, y),
-    ...plot.series.map((series, index) => svg('path', { class: `series series-${index % 12}`, d: line(plot, series, x, y) })), now);
+    ...plot.series.map((series) => path(series, line(plot, series, x, y))), now);
   const unit = plot.unit ? ` in ${plot.unit}` : '';
-  const legend = plot.series.length > 1 && h('ul', { class: 'series-legend' }, ...plot.series.map((series, index) =>
-    h('li', {}, h('span', { class: `swatch series-${index % 12}`, 'aria-hidden': 'true' }), series.name)));
+  const legend = plot.series.length > 1 && legendOf(plot);
   const element = h('figure', { class: 'plot-figure' }, h('figcaption', {}, `${plot.title}${unit}, over time in s`), picture, legend);
   const showTime = (t: number): void => {
     const at = x.place(Math.min(Math.max(t, x.low), x.high)).toFixed(1);

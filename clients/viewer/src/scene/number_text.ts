@@ -36,10 +36,12 @@ export function parseWhole(typed: string): number | string | undefined {
   return BigInt(typed.trim().replace('+', '')).toString();
 }
 
-/// Three significant digits, and no more places than they need: for measured values.
-export function shortNumber(value: number): string {
+/// Three significant digits, and no more places than they need: for measured values. What is smaller than `least` is
+/// rounding, and reads 0.
+export function shortNumber(value: number, least = 0): string {
   if (!Number.isFinite(value)) return '–';
   const size = Math.abs(value);
+  if (size < least) return '0';
   if (size !== 0 && (size < 1e-3 || size >= 1e5)) return value.toExponential(2).replace('e+', 'e');
   return String(Number(value.toPrecision(3)));
 }
