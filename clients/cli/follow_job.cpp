@@ -18,6 +18,7 @@ void show(const v1::SimJob& job, ProgressBar& bar) {
   if (!job.has_progress()) return bar.show(job.name() + " starts");
   const v1::JobProgress& progress = job.progress();
   if (job.has_study()) return bar.show_share(progress.share_done(), progress.doing(), eta_from(job));
+  if (!is_simulating(progress)) return bar.show(job.name() + " is " + progress.doing());
   bar.show(progress_from(progress), eta_from(job));
 }
 

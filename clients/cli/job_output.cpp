@@ -88,7 +88,8 @@ std::string job_text(const v1::SimJob& job) {
   if (job.has_progress() && job.state() == v1::SimJob::RUNNING) {
     const v1::JobProgress& progress = job.progress();
     const std::string frames = "frame " + thousands(progress.frames()) + " of " + thousands(progress.num_frames());
-    rows.emplace_back("progress", progress_text(job) + ", " + (job.has_study() ? progress.doing() : frames));
+    const bool told = job.has_study() || !is_simulating(progress);
+    rows.emplace_back("progress", progress_text(job) + ", " + (told ? progress.doing() : frames));
     if (const auto eta = eta_from(job)) rows.emplace_back("to go", duration_text(*eta));
   }
   rows.emplace_back("created", create_time_text(job));
@@ -124,6 +125,10 @@ std::string work_text(const v1::SimJob& job) {
 
 std::string create_time_text(const v1::SimJob& job) {
   return job.has_create_time() ? time_text(job.create_time()) : std::string();
+}
+
+bool is_simulating(const v1::JobProgress& progress) {
+  return progress.doing().empty() || progress.doing() == "simulating";
 }
 
 Progress progress_from(const v1::JobProgress& message) {

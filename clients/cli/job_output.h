@@ -24,6 +24,8 @@ std::string work_text(const v1::SimJob& job);      // "simulate", "quick study, 
 std::string progress_text(const v1::SimJob& job);  // "47 %"; empty: none
 std::string create_time_text(const v1::SimJob& job);
 
+/// False: it is a study, or still chooses effects, as `doing` says.
+bool is_simulating(const v1::JobProgress& progress);
 Progress progress_from(const v1::JobProgress& message);
 std::optional<double> eta_from(const v1::SimJob& job);
 

@@ -63,7 +63,7 @@ class StepwiseStop {
 
 // With a directory everything goes there, without one nothing is kept.
 Result<RunSummary> simulate_here(const LoadedScene& scene, int threads, const std::optional<RunDir>& dir,
-                             RecorderOptions options) {
+                                 RecorderOptions options) {
   const auto finished = [&](RunSummary summary) {
     summary.blas = to_string(blas_in_use());
     summary.version = version_string();
@@ -129,6 +129,7 @@ int simulate(const SimulateOptions& options) {
   StepwiseStop stop(interrupt);
   RecorderOptions recorder;
   recorder.on_progress = [&](const Progress& progress) {
+    if (!progress.doing.empty()) return bar.show(progress.doing);
     stop.step_done();
     bar.show(progress, estimate_eta(progress));
   };

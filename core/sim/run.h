@@ -33,6 +33,7 @@ struct Progress {
   double residual = 0.0;             // of the last accepted step; m/s, or N when quasi-static
   std::optional<double> error_estimate_m;
   double wall_s = 0.0;
+  std::string doing = {};  // for people, before the simulation itself; empty: that
 };
 
 struct RunHooks {
@@ -49,7 +50,7 @@ struct RunHooks {
   std::function<std::unique_ptr<LinearSolver>()> make_solver;  // empty: the default one
   std::function<void(Simulation&)> on_start;           // before the first step; may be empty
   std::function<void(Simulation&, const StepReport&)> on_step;  // after every attempted step; may be empty
-  std::function<void(const Progress&)> on_progress;    // after every step; may be empty
+  std::function<void(const Progress&)> on_progress;    // after every step, and as run_scene() says; may be empty
   std::function<bool()> should_stop;                   // polled every step and every Newton iteration; may be empty
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdio>
 
 #include "model/effect_list.h"
 #include "model/remarks.h"
@@ -13,6 +14,12 @@
 
 namespace slipstitch {
 namespace {
+
+std::string short_seconds(double seconds) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g s", seconds);
+  return text.data();
+}
 
 /// What a run of the window can tell about, dearest first.
 constexpr std::array kTried{"sliding",          "wrapping", "bending",  "inertia", "contact_length",
@@ -34,10 +41,10 @@ namespace {
 
 class Chooser {
  public:
-  Chooser(const Scene& scene, int threads, const std::function<bool()>& should_stop)
-      : threads_(threads),
-        should_stop_(should_stop),
-        chosen_{with_candidates(scene), {}, false} {
+  using OnTrial = std::function<void(const std::string& what)>;
+
+  Chooser(const Scene& scene, int threads, const std::function<bool()>& should_stop, const OnTrial& on_trial)
+      : threads_(threads), should_stop_(should_stop), on_trial_(on_trial), chosen_{with_candidates(scene), {}, false} {
     EffectChoice& choice = chosen_.choice;
     const AutoEffects& asked = *scene.effects.automatic;
     choice.tolerance_m = asked.tolerance_m.value_or(scene.yarn.radius_m);
@@ -141,6 +148,7 @@ class Chooser {
     options.threads = threads_;
     options.should_stop = should_stop_;
     options.record = &frames;
+    tell("with all that may matter");
     const MeasuredRun all = measure_run(window_of(effects()), options);
     chosen_.cancelled = all.summary.status == RunStatus::cancelled;
     options.record = nullptr;
@@ -160,9 +168,14 @@ class Chooser {
       }
       Effects without = effects();
       remove_effect(without, effect);
+      tell(std::string("without ") + name);
       const MeasuredRun run = measure_run(window_of(without), options);
       judge(effect, run, cost);
     }
+  }
+
+  void tell(const std::string& what) const {
+    if (on_trial_) on_trial_("choosing the effects: the first " + short_seconds(chosen_.choice.window_s) + " " + what);
   }
 
   void judge(const EffectEntry& effect, const MeasuredRun& run, double& cost) {
@@ -198,18 +211,28 @@ class Chooser {
 
   int threads_;
   const std::function<bool()>& should_stop_;
+  const OnTrial& on_trial_;
   ChosenScene chosen_;
 };
 
 }  // namespace
 
-ChosenScene choose_effects(const Scene& scene, int threads, const std::function<bool()>& should_stop) {
-  return Chooser(scene, threads, should_stop).go();
+ChosenScene choose_effects(const Scene& scene, int threads, const std::function<bool()>& should_stop,
+                           const std::function<void(const std::string& what)>& on_trial) {
+  return Chooser(scene, threads, should_stop, on_trial).go();
 }
 
 RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
   if (!scene.effects.automatic) return run(scene, threads, hooks);
-  ChosenScene chosen = choose_effects(scene, threads, hooks.should_stop);
+  const auto start = std::chrono::steady_clock::now();
+  ChosenScene chosen = choose_effects(scene, threads, hooks.should_stop, [&](const std::string& what) {
+    Progress progress;
+    progress.duration_s = scene.duration_s;
+    progress.num_frames = planned_frames(scene.duration_s, scene.frames_per_s);
+    progress.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    progress.doing = what;
+    if (hooks.on_progress) hooks.on_progress(progress);
+  });
   RunSummary summary;
   if (chosen.cancelled) {
     summary.scene = scene.name;

@@ -26,9 +26,12 @@ struct ChosenScene {
 /// if no node is then farther than the tolerance from where all candidates together put it, at any frame, and if the
 /// run becomes no dearer (Newton iterations times matrix entries, a count, so that the choice is the same on every
 /// machine).
-ChosenScene choose_effects(const Scene& scene, int threads, const std::function<bool()>& should_stop);
+/// `on_trial`, which may be empty, is told before every run what is tried.
+ChosenScene choose_effects(const Scene& scene, int threads, const std::function<bool()>& should_stop,
+                           const std::function<void(const std::string& what)>& on_trial = {});
 
-/// run(), after choose_effects() where the scene asks for it; the summary has the choice.
+/// run(), after choose_effects() where the scene asks for it; the summary has the choice. Each run of the choice is a
+/// progress of its own, in which nothing is simulated yet.
 RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks);
 
 }  // namespace slipstitch

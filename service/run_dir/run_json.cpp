@@ -355,7 +355,8 @@ double share_done(const Progress& progress) {
 }
 
 ProgressInfo progress_info(const Progress& progress) {
-  return {progress, estimate_eta(progress), utc_now(), share_done(progress), "simulating"};
+  return {progress, estimate_eta(progress), utc_now(), share_done(progress),
+          progress.doing.empty() ? "simulating" : progress.doing};
 }
 
 std::optional<double> estimate_eta(const Progress& progress) {

@@ -40,7 +40,7 @@ struct ProgressInfo {
   std::string doing = {};       // for people
 };
 
-/// Of a simulation, now.
+/// Of a simulation, now. "simulating" where it is that.
 ProgressInfo progress_info(const Progress& progress);
 
 /// summary.json of a study.

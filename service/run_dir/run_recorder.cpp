@@ -68,7 +68,7 @@ struct RunRecorder::State {
 
   void record_progress(const Progress& progress) {
     unwritten = progress;
-    if (progress_due.due()) flush_progress();
+    if (progress_due.due() || !progress.doing.empty()) flush_progress();  // the next may come in minutes
     if (options.on_progress) options.on_progress(progress);
   }
 

@@ -25,8 +25,9 @@ IoError write_study(const WorkPrecision& study, const StudyOrder& order) {
 /// False: stopped before the choice was made.
 bool settle_effects(Scene& scene, const StudyOrder& order) {
   if (!scene.effects.automatic) return true;
-  if (order.on_progress) order.on_progress(0.0, "choosing the effects");
-  ChosenScene chosen = choose_effects(scene, order.threads, order.should_stop);
+  ChosenScene chosen = choose_effects(scene, order.threads, order.should_stop, [&](const std::string& what) {
+    if (order.on_progress) order.on_progress(0.0, what);
+  });
   scene = std::move(chosen.scene);
   return !chosen.cancelled;
 }

@@ -41,8 +41,18 @@ TEST(RunJob, ChoosesTheEffectsOfASceneThatLeavesThemToTheProgram) {
   const RunDir dir = *create_run_dir(folder / "run", job, R"({"yarns": [{"points_m": [0, 0, 0, 0.1, 0, 0, 0.2, 0, 0]}],
     "effects": {"auto": {}}, "duration_s": 0.1})",
                                      false);
-  const Result<RunSummary> summary = run_job(dir);
+  int trials = 0;
+  RecorderOptions options;
+  options.progress_interval_s = 1e3;
+  options.on_progress = [&](const Progress& progress) {
+    if (progress.doing.empty()) return;
+    ++trials;
+    EXPECT_EQ(read_progress(dir)->doing, progress.doing);  // at once
+  };
+  const Result<RunSummary> summary = run_job(dir, options);
   ASSERT_TRUE(summary) << summary.error;
+  EXPECT_GT(trials, 2);
+  EXPECT_EQ(read_progress(dir)->doing, "simulating");
   EXPECT_EQ(summary->status, RunStatus::succeeded) << summary->message;
   ASSERT_TRUE(summary->effect_choice);
   EXPECT_EQ(summary->effect_choice->verdicts.size(), 13U);  // all that need no parameters, but plasticity

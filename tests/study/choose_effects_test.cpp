@@ -121,6 +121,27 @@ TEST(ChooseEffects, TheRunReportsTheChoice) {
   EXPECT_FALSE(run_scene(listed, 1, {}).effect_choice);
 }
 
+TEST(ChooseEffects, TellsWhatItTriesBeforeTheRun) {
+  const Scene scene = falling_yarn();
+  std::vector<std::string> tried;
+  RunHooks hooks;
+  hooks.on_progress = [&](const Progress& progress) {
+    EXPECT_EQ(progress.duration_s, scene.duration_s);
+    EXPECT_GT(progress.num_frames, 1);
+    if (progress.doing.empty()) {
+      EXPECT_GT(progress.t, 0.0);
+    } else {
+      EXPECT_EQ(progress.t, 0.0);
+      tried.push_back(progress.doing);
+    }
+  };
+  ASSERT_EQ(run_scene(scene, 1, hooks).status, RunStatus::succeeded);
+  ASSERT_GE(tried.size(), 3U);
+  EXPECT_EQ(tried[0].find("choosing the effects: the first "), 0U) << tried[0];
+  EXPECT_NE(tried[0].find(" s with all"), std::string::npos) << tried[0];
+  EXPECT_NE(tried[1].find(" s without inertia"), std::string::npos) << tried[1];
+}
+
 TEST(ChooseEffects, CanBeCancelled) {
   RunHooks hooks;
   hooks.should_stop = [] { return true; };

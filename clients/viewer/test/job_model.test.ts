@@ -112,7 +112,8 @@ describe('JobModel', () => {
     await vi.advanceTimersByTimeAsync(1500);
     expect(model.store.last?.index).toBe(2);
     const last = model.store.last?.t ?? 0;
-    expect(model.progress()).toEqual({ ...running.progress, frames: 3, t: Math.max(0.1, last) });
+    const t = Math.max(0.1, last);
+    expect(model.progress()).toEqual({ ...running.progress, frames: 3, t, share_done: t / 100 });
     expect(progressText(running, model.progress())).toContain('frame 2 of 1000');
     server.job = { ...running, revision: '2', progress: { ...running.progress, t: 50, frames: 501 } };
     await vi.advanceTimersByTimeAsync(1500);
@@ -136,5 +137,8 @@ describe('progressText', () => {
   it('counts frames as the player does', () => {
     expect(progressText(running)).toBe('0.1 of 100 s · frame 1 of 1000 · time left not known yet');
     expect(progressText({ ...running, progress: { duration_s: 1, num_frames: 31 } })).toContain('no frame yet');
+    const choosing = { ...running, progress: { duration_s: 1, num_frames: 31, doing: 'choosing the effects: the first 0.1 s without sliding' } };
+    expect(progressText(choosing)).toBe('choosing the effects: the first 0.1 s without sliding · time left not known yet');
+    expect(progressText({ ...running, progress: { duration_s: 1, num_frames: 31, doing: 'simulating' } })).toContain('no frame yet');
   });
 });

@@ -22,6 +22,8 @@ export function spanText(seconds: number): string {
   return `${Math.floor(whole / 3600)} h ${String(Math.floor((whole % 3600) / 60)).padStart(2, '0')} min`;
 }
 
+const simulating = 'simulating';  // what a job does that is at its simulation itself
+
 /// What it does.
 export function workText(job: SimJob): string {
   return job.study ? (job.study.quick ? 'Quick study' : 'Study') : 'Simulation';
@@ -35,8 +37,9 @@ export function partDone(progress: JobProgress): number {
 export function progressText(job: SimJob, progress = job.progress): string {
   if (!progress) return job.state === 'QUEUED' ? 'waits for a free place' : job.state === 'RUNNING' ? 'starts' : '';
   const { t = 0, duration_s: duration = 0, frames = 0, num_frames: planned = 0, eta_s: left, wall_s: wall = 0 } = progress;
+  const before = job.state === 'RUNNING' && progress.doing && progress.doing !== simulating;
   const parts = job.study ? [`${Math.floor(100 * partDone(progress))} %`, ...(progress.doing ? [progress.doing] : [])]
-    : [`${Number(t.toPrecision(3))} of ${duration} s`, frameText(frames - 1, planned)];
+    : before ? [progress.doing ?? ''] : [`${Number(t.toPrecision(3))} of ${duration} s`, frameText(frames - 1, planned)];
   if (job.state === 'RUNNING') parts.push(left === undefined ? 'time left not known yet' : `${spanText(left)} left`);
   else parts.push(`took ${spanText(wall)}`);
   if (progress.error_estimate_m !== undefined) parts.push(`error about ${shortNumber(1e3 * progress.error_estimate_m)} mm`);
