@@ -31,6 +31,19 @@ test('rows of older pages are kept up to date, cancelled and deleted', async () 
   await untilRows(ended + 2);
   assert.equal(await page.getByRole('button', { name: 'Older jobs' }).isVisible(), false);
   await row('waiting').getByText('Queued').waitFor();
+  const at = () => page.evaluate(() => document.activeElement.getAttribute('aria-label') ?? document.activeElement.tagName);
+  assert.equal(await at(), 'A', 'where the older jobs begin, as their button is gone');
+
+  await row('oldest').getByRole('button').focus();
+  const before = await row('oldest').innerText();
+  await page.waitForFunction((text) => ![...document.querySelectorAll('tbody tr')].some((one) => one.innerText === text), before);
+  assert.equal(await at(), 'Cancel oldest', 'after its row was drawn anew');
+  await row('number 3').getByRole('button').focus();
+  await page.keyboard.press('Enter');
+  await row('number 3').waitFor({ state: 'detached' });
+  assert.equal(await at(), 'Delete number 2', 'the row that came in its place');
+  await submit(server.address, { ...endlessScene, name: 'number 3' }).then(cancel);
+  await untilRows(ended + 2);
 
   await row('waiting').getByRole('button', { name: 'Cancel' }).click();
   await row('waiting').getByText('Cancelled').waitFor();

@@ -140,6 +140,20 @@ describe('errors at fields', () => {
 
 describe('scene files', () => {
   it('read what they wrote', () => expect(readScene(sceneText(freshScene()))).toEqual(freshScene()));
+
+  it('are laid out like other JSON, but for arrays of numbers', () => {
+    const scene = { name: 'a', knit: { chart: { rows: ['KK', 'PP'] }, gauge: {} }, handles: [{ origin_m: [1, -0.5e-9, 3] }], loads: [] };
+    const plain = JSON.stringify(scene, null, 2).replace(/\[\s+1,\s+-5e-10,\s+3\s+\]/, '[1, -5e-10, 3]');
+    expect(sceneText(scene)).toBe(`${plain}\n`);
+  });
+
+  it('leave texts alone and take no longer for odd ones', () => {
+    for (const name of ['cape [ 2 ]', 'Fair [ 1,   2 ] isle', `ribbing [ ${'-'.repeat(60)} v2`]) {
+      expect(readScene(sceneText({ name })).name).toBe(name);
+    }
+    const odd = { origin_m: [0.1234567890123456, 0.2345678901234567, null] };
+    expect(readScene(sceneText(odd))).toEqual(odd);
+  });
   it('keep arrays of numbers on a line', () => expect(sceneText({ v: [0, -9.81, 1e-7] })).toContain('"v": [0, -9.81, 1e-7]'));
   it.each(readdirSync(new URL('../../../scenes/', import.meta.url)).filter((name) => name.endsWith('.json')))('reads %s', (name) => {
     const text = readFileSync(new URL(`../../../scenes/${name}`, import.meta.url), 'utf8');

@@ -23,7 +23,9 @@ export function jobListPage(): Page {
     view.pages += 1;
     void attempt(Promise.resolve());
   }, { hidden: true });
-  const view = { state: '', pages: 1, loads: 0, jobs: [] as SimJob[], drawn: '' };
+  const view = { state: '', pages: 1, loads: 0, jobs: [] as SimJob[] };
+  const drawn = new Map<string, { text: string; element: HTMLElement }>();  // by job
+  const nothing = h('tr', {}, h('td', { colspan: 6 }, 'No jobs here yet.'));
 
   const attempt = async (what: Promise<unknown>): Promise<void> => {
     try {
@@ -47,13 +49,31 @@ export function jobListPage(): Page {
       h('td', {}, workText(job)), h('td', {}, progressText(job)), h('td', {}, timeElement(job.create_time)), h('td', { class: 'actions' }, action));
   };
 
-  // Rows are drawn anew only when they changed, so that a focused button stays where it is.
+  /// The row of a job, drawn anew only when that changed.
+  const rowOf = (job: SimJob): HTMLElement => {
+    const text = JSON.stringify(job);
+    const kept = drawn.get(jobId(job));
+    if (kept?.text === text) return kept.element;
+    const element = row(job);
+    drawn.set(jobId(job), { text, element });
+    return element;
+  };
+
+  /// Whoever was at a link or button in a row stays at it, or comes to the row in its place.
   const draw = (): void => {
-    const text = JSON.stringify(view.jobs);
-    if (text === view.drawn) return;
-    view.drawn = text;
-    rows.replaceChildren(...view.jobs.map(row));
-    if (view.jobs.length === 0) rows.append(h('tr', {}, h('td', { colspan: 6 }, 'No jobs here yet.')));
+    const at = document.activeElement;
+    const place = [...rows.children].findIndex((element) => element.contains(at));
+    const id = [...drawn].find(([, { element }]) => element.contains(at))?.[0];
+    const wanted = view.jobs.length > 0 ? view.jobs.map(rowOf) : [nothing];
+    for (const element of [...rows.children]) if (!wanted.includes(element as HTMLElement)) element.remove();
+    wanted.forEach((element, index) => {
+      if (rows.children[index] !== element) rows.insertBefore(element, rows.children[index] ?? null);
+    });
+    for (const [key, { element }] of drawn) if (!element.isConnected && rows.isConnected) drawn.delete(key);
+    if (place < 0 || rows.contains(document.activeElement)) return;
+    const home = (id && drawn.get(id)?.element) || wanted[Math.min(place, wanted.length - 1)];
+    const controls = [home.querySelector<HTMLElement>(`${at?.tagName}:not(:disabled)`), home.querySelector<HTMLElement>('a'), filter.querySelector('select')];
+    controls.find((control) => control)?.focus();
   };
 
   /// All pages shown, from the newest job on. Of loads that overlap the one that began last counts.
@@ -69,9 +89,12 @@ export function jobListPage(): Page {
       token = answer.next_page_token ?? '';
       if (token === '') break;
     }
+    const old = view.jobs.length;
     view.jobs = [...jobs.values()];
+    const leaves = token === '' && document.activeElement === more;
     more.hidden = token === '';
     draw();
+    if (leaves) rows.children[Math.min(old, view.jobs.length - 1)]?.querySelector('a')?.focus();
   }
 
   void askWhileSeen(async () => {

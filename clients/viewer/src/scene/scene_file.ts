@@ -38,6 +38,17 @@ export function readScene(text: string): JsonObject {
 
 /// The scene as a file. Arrays of numbers stay on one line.
 export function sceneText(scene: JsonObject): string {
-  return JSON.stringify(scene, null, 2).replace(/\[\s+((?:-?[\d.eE+-]+,?\s*)+)\]/g, (_, items: string) =>
-    `[${items.trim().replace(/,\s+/g, ', ')}]`) + '\n';
+  return `${valueText(scene, '')}\n`;
+}
+
+function valueText(value: Json, indent: string): string {
+  const inner = `${indent}  `;
+  const lines = (open: string, parts: string[], close: string): string =>
+    parts.length === 0 ? open + close : `${open}\n${inner}${parts.join(`,\n${inner}`)}\n${indent}${close}`;
+  if (Array.isArray(value)) {
+    if (value.every((item) => typeof item === 'number')) return `[${value.map((item) => JSON.stringify(item)).join(', ')}]`;
+    return lines('[', value.map((item) => valueText(item, inner)), ']');
+  }
+  if (!isObject(value)) return JSON.stringify(value);
+  return lines('{', Object.entries(value).map(([key, member]) => `${JSON.stringify(key)}: ${valueText(member, inner)}`), '}');
 }
