@@ -148,6 +148,9 @@ class Chooser {
     options.threads = threads_;
     options.should_stop = should_stop_;
     options.record = &frames;
+    options.on_progress = [this](double) {
+      if (on_trial_) on_trial_(telling_);
+    };
     tell("with all that may matter");
     const MeasuredRun all = measure_run(window_of(effects()), options);
     chosen_.cancelled = all.summary.status == RunStatus::cancelled;
@@ -174,8 +177,9 @@ class Chooser {
     }
   }
 
-  void tell(const std::string& what) const {
-    if (on_trial_) on_trial_("choosing the effects: the first " + short_seconds(chosen_.choice.window_s) + " " + what);
+  void tell(const std::string& what) {
+    telling_ = "choosing the effects: the first " + short_seconds(chosen_.choice.window_s) + " " + what;
+    if (on_trial_) on_trial_(telling_);
   }
 
   void judge(const EffectEntry& effect, const MeasuredRun& run, double& cost) {
@@ -212,6 +216,7 @@ class Chooser {
   int threads_;
   const std::function<bool()>& should_stop_;
   const OnTrial& on_trial_;
+  std::string telling_;
   ChosenScene chosen_;
 };
 

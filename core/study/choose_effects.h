@@ -26,7 +26,7 @@ struct ChosenScene {
 /// if no node is then farther than the tolerance from where all candidates together put it, at any frame, and if the
 /// run becomes no dearer (Newton iterations times matrix entries, a count, so that the choice is the same on every
 /// machine).
-/// `on_trial`, which may be empty, is told before every run what is tried.
+/// `on_trial`, which may be empty, is told before every run, and after each of its steps, what is tried.
 ChosenScene choose_effects(const Scene& scene, int threads, const std::function<bool()>& should_stop,
                            const std::function<void(const std::string& what)>& on_trial = {});
 

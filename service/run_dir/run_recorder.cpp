@@ -28,6 +28,7 @@ struct RunRecorder::State {
   std::optional<HistoryCsv> history;
   std::optional<VectorCsv> reactions, bodies;
   std::optional<Progress> unwritten;
+  std::string doing;
   bool cancelled = false;
   IoError error;  // the first
 
@@ -67,8 +68,10 @@ struct RunRecorder::State {
   }
 
   void record_progress(const Progress& progress) {
+    const bool news = progress.doing != doing;  // the next may come in minutes
     unwritten = progress;
-    if (progress_due.due() || !progress.doing.empty()) flush_progress();  // the next may come in minutes
+    doing = progress.doing;
+    if (progress_due.due() || news) flush_progress();
     if (options.on_progress) options.on_progress(progress);
   }
 

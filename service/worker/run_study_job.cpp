@@ -21,6 +21,7 @@
 namespace slipstitch {
 namespace {
 
+constexpr double kMostShare = 0.99;  // while it runs: how often the reference is refined shows only when it has been
 constexpr double kProgressInterval_s = 0.5;  // at least, because what writes takes its time from runs that are timed
 
 /// progress.json and control.log of a study.
@@ -35,16 +36,16 @@ class StudyDesk {
         control_due_(options.control_interval_s) {}
 
   void show(double share, const std::string& doing) {
-    now_.share_done = std::max(now_.share_done, share);
+    now_.share_done = std::max(now_.share_done, std::min(share, kMostShare));
     now_.doing = doing;
     if (progress_due_.due()) write();
   }
 
-  void write() {
-    now_.progress.wall_s = wall_s();
-    now_.eta_s = eta();
-    now_.update_time = utc_now();
-    if (error_.empty()) error_ = write_progress(dir_, now_);
+  /// Nothing is to go any more; `all`: as everything has been done.
+  void finish(bool all) {
+    ended_ = true;
+    if (all) now_.share_done = 1.0;
+    write();
   }
 
   bool should_stop() {
@@ -57,9 +58,16 @@ class StudyDesk {
   const IoError& error() const { return error_; }  // the first of writing progress
 
  private:
+  void write() {
+    now_.progress.wall_s = wall_s();
+    now_.eta_s = eta();
+    now_.update_time = utc_now();
+    if (error_.empty()) error_ = write_progress(dir_, now_);
+  }
+
   std::optional<double> eta() const {
     const double share = now_.share_done;
-    if (share <= 0.0 || share >= 1.0) return std::nullopt;
+    if (ended_ || share <= 0.0) return std::nullopt;
     const double left = wall_s() * (1.0 - share) / share;
     return work_.budget_s > 0.0 ? std::min(left, std::max(0.0, work_.budget_s - wall_s())) : left;
   }
@@ -70,7 +78,7 @@ class StudyDesk {
   ControlLogReader control_;
   Throttle progress_due_, control_due_;
   ProgressInfo now_;
-  bool cancelled_ = false;
+  bool cancelled_ = false, ended_ = false;
   IoError error_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
@@ -140,7 +148,7 @@ Result<RunSummary> run_study_job(const RunDir& dir, const JobInfo& job, const Re
   StudyDesk desk(dir, *job.study, options);
   desk.show(0.0, "starting");
   StudySummary summary = study_stored_scene(dir, job, desk);
-  desk.write();
+  desk.finish(summary.status == RunStatus::succeeded);
   summary.scene = job.scene_name;
   summary.threads = job.threads;
   summary.wall_s = desk.wall_s();

@@ -39,11 +39,13 @@ TEST_F(StudyJobTest, EndsWithAReport) {
     EXPECT_GE(job.progress().share_done(), share);
     share = job.progress().share_done();
     EXPECT_LE(job.progress().eta_s(), 600.0) << "at most its budget";
+    EXPECT_TRUE(share < 1.0 || !job.progress().has_eta_s()) << "all done is done";
   }
   const v1::SimJob& ended = snapshots.back();
   ASSERT_EQ(ended.state(), v1::SimJob::SUCCEEDED) << ended.DebugString();
   EXPECT_EQ(ended.progress().doing(), "");
-  EXPECT_GT(share, 0.5);
+  EXPECT_EQ(share, 1.0);
+  EXPECT_FALSE(ended.progress().has_eta_s());
   EXPECT_EQ(ended.progress().num_frames(), 0U);
 
   std::vector<std::string> expected = kReport;
