@@ -76,6 +76,19 @@ test('its page shows plots and leads to the report, which runs no scripts', asyn
   faults.length = 0;  // the policy stopped that
 });
 
+test('one that was cut short has no empty plots, and is a study again when copied', async () => {
+  const { page, faults } = view;
+  const id = await submit(server.address, { ...swing, name: 'short' }, { study: { quick: true, budget_s: 1e-9 } });
+  await page.goto(`${server.address}/#/jobs/${id}`);
+  await untilState(page, 'Failed');
+  await page.getByText(/could be compared with another|has no report/).waitFor();
+  assert.equal(await page.locator('.study-report img').count(), 0);
+  await page.getByRole('link', { name: 'Edit a copy' }).click();
+  await page.waitForFunction(() => [...document.querySelectorAll('select')].some((box) => box.value === 'quick study'));
+  await fetch(`${server.address}/v1/simJobs/${id}`, { method: 'DELETE' });
+  assert.deepEqual(faults, []);
+});
+
 test('the list names it', async () => {
   const { page, faults, close } = view;
   await page.goto(`${server.address}/#/jobs`);

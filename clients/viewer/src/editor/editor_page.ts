@@ -2,7 +2,7 @@
 import { fieldErrors, pathAndAncestors, type FieldError } from '../api/field_errors';
 import { ApiError } from '../api/api_error';
 import { jobId } from '../api/messages';
-import { artefactText, createSimJob, type Work } from '../api/sim_jobs';
+import { artefactText, createSimJob, getSimJob, type Work } from '../api/sim_jobs';
 import type { FormContext } from '../form/form_context';
 import { emptyFields, showErrors } from '../form/show_errors';
 import { textInput } from '../form/simple_fields';
@@ -117,6 +117,11 @@ export function editorPage(copyOf?: string): Page {
   const choice = { work: 'simulate' as Work };
   const work = select('Work', [['simulate', 'simulate'], ['study', 'study accuracy'], ['quick study', 'quick study']], choice.work,
     (chosen) => { choice.work = chosen as Work; });
+  const choose = (chosen: Work): void => {
+    choice.work = chosen;
+    const box = work.querySelector('select');
+    if (box) box.value = chosen;
+  };
   const submit = button('Submit', () => void send(false), { class: 'primary', 'data-action': 'submit' });
   const check = button('Check', () => void send(true), { 'data-action': 'check' });
   function setBusy(busy: boolean): void {
@@ -140,9 +145,10 @@ export function editorPage(copyOf?: string): Page {
   });
   drawForm();
   if (copyOf !== undefined) {
-    artefactText(copyOf, 'scene.json').then((text) => {
+    Promise.all([artefactText(copyOf, 'scene.json'), getSimJob(copyOf)]).then(([text, job]) => {
       const scene = readScene(text);
       load(isObject(scene.scene) ? scene.scene : scene);
+      choose(job.study ? (job.study.quick ? 'quick study' : 'study') : 'simulate');
     }).catch((error: unknown) => tell('', `The scene of ${copyOf} cannot be read: ${error instanceof Error ? error.message : String(error)}`));
   }
   return {
