@@ -40,8 +40,8 @@ class Search {
   FoundReference go(int most_runs) {
     start();
     for (int k = 0; k < most_runs && !runs_.ended() && !settled_ && !at_noise_; ++k) {
-      const bool is_there = runs_.find(study_run(scene_, rung_at(k))).has_value();
-      if (k > 0 && !is_there && !runs_.fits(2.0 * kNextCost * last_wall_s_, until_s_)) {
+      const bool fits = k == 0 || runs_.fits(2.0 * kNextCost * last_wall_s_, until_s_);
+      if (!fits && !runs_.find(study_run(scene_, rung_at(k)))) {
         found_.facts.out_of_time = true;
         break;
       }
