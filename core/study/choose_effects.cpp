@@ -4,22 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdio>
 
 #include "model/effect_list.h"
 #include "model/remarks.h"
 #include "sim/prepare.h"
 #include "study/measured_run.h"
 #include "study/reach.h"
+#include "study/three_digits.h"
 
 namespace slipstitch {
 namespace {
-
-std::string short_seconds(double seconds) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g s", seconds);
-  return text.data();
-}
 
 /// What a run of the window can tell about, dearest first.
 constexpr std::array kTried{"sliding",          "wrapping", "bending",  "inertia", "contact_length",
@@ -178,7 +172,7 @@ class Chooser {
   }
 
   void tell(const std::string& what) {
-    telling_ = "choosing the effects: the first " + short_seconds(chosen_.choice.window_s) + " " + what;
+    telling_ = "choosing the effects: the first " + three_digits(chosen_.choice.window_s) + " s " + what;
     if (on_trial_) on_trial_(telling_);
   }
 

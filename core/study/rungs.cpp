@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "sim/run.h"
+#include "study/three_digits.h"
 
 namespace slipstitch {
 namespace {
@@ -26,12 +27,6 @@ constexpr std::array kTolerances_m{1e-3, 3e-4, 1e-4, 3e-5, 1e-5};
 constexpr std::size_t kQuickTolerances = 3;
 constexpr std::array kForceTolerances{1000.0, 30.0, 1.0};  // times the scene's, of static scenes
 constexpr std::size_t kStaticSteps = 4, kQuickStaticSteps = 2;
-
-std::string three_digits(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
-}
 
 std::string step_text(double seconds) {
   return seconds < 0.9995 ? three_digits(1e3 * seconds) + " ms" : three_digits(seconds) + " s";
