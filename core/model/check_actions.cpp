@@ -4,10 +4,11 @@
 namespace slipstitch {
 namespace {
 
-// Visits of the knit's yarn: eight a stitch, two a turn, two tail ends.
-int knit_visits(const Pattern& pattern) {
+// Visits of the knit's yarn: eight a stitch, two a turn, two tail ends or the slip knot's.
+int knit_visits(const Knit& knit) {
+  const Pattern& pattern = knit.pattern;
   const int turns = pattern.in_the_round ? 0 : 2 * (pattern.courses - 1);
-  return 8 * pattern.courses * pattern.wales + turns + 2;
+  return 8 * pattern.courses * pattern.wales + turns + (knit.ends_woven_in ? 1 : 2);
 }
 
 struct CheckSelector {
@@ -46,7 +47,7 @@ struct CheckSelector {
     if (point.yarn < 0 || point.yarn >= yarns) return;
     const int points = point.yarn < bare
                            ? static_cast<int>(scene.yarns[static_cast<std::size_t>(point.yarn)].points.size())
-                           : knit_visits(scene.knit->pattern);
+                           : knit_visits(*scene.knit);
     check.require_index(path + ".yarn_point.point", point.point, -points, points - 1);
   }
 };

@@ -12,8 +12,12 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 
 class KnitBuilder {
  public:
-  KnitBuilder(const Pattern& pattern, const RestCell& cell)
-      : pattern_(pattern), cell_(cell), layout_(pattern, cell), runs_(pattern.cells.size()) {
+  KnitBuilder(const Pattern& pattern, bool has_tails, const RestCell& cell)
+      : pattern_(pattern),
+        has_tails_(has_tails),
+        cell_(cell),
+        layout_(pattern, cell),
+        runs_(pattern.cells.size()) {
     lay_yarn();
     add_stitches();
     add_clasps();
@@ -89,9 +93,9 @@ class KnitBuilder {
   }
 
   void lay_yarn() {
-    topology_.num_nodes = layout_.num_nodes();
+    topology_.num_nodes = has_tails_ ? layout_.num_nodes() : layout_.tail(false);
     topology_.yarn_first.push_back(0);
-    visit_measured(layout_.tail(false));
+    visit_measured(has_tails_ ? layout_.tail(false) : layout_.loop_node(1, pattern_.wales, 0));
     for (int course = 1; course <= pattern_.courses; ++course) {
       const int direction = pattern_.in_the_round || course % 2 == 1 ? -1 : 1;
       for (int i = 0; i < pattern_.wales; ++i) {
@@ -103,7 +107,8 @@ class KnitBuilder {
         visit_measured(layout_.turn(course, true));
       }
     }
-    visit_measured(layout_.tail(true));
+    if (has_tails_) visit_measured(layout_.tail(true));
+    topology_.visit_slides.back() = 0;
     topology_.yarn_first.push_back(topology_.num_visits());
     topology_.yarn_material = {0};
     topology_.density_scale = {cell_.density_scale};
@@ -150,6 +155,7 @@ class KnitBuilder {
   }
 
   const Pattern& pattern_;
+  const bool has_tails_;
   const RestCell& cell_;
   KnitLayout layout_;
   std::vector<LoopRun> runs_;  // by stitch
@@ -161,7 +167,7 @@ class KnitBuilder {
 }  // namespace
 
 PlacedTopology build_knit(const Knit& knit, const RestCell& cell) {
-  KnitBuilder builder(knit.pattern, cell);
+  KnitBuilder builder(knit.pattern, !knit.ends_woven_in, cell);
   std::vector<Vec3> positions = builder.positions();
   if (knit.pattern.in_the_round) {
     const double circumference = cell.period_course.norm() * knit.pattern.wales / cell.repeat.wales;

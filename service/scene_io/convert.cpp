@@ -122,6 +122,7 @@ Knit knit_from(const v1::Knit& message, const SceneLimits& limits, Issues& issue
   if (message.has_relax_repeat()) knit.relax_repeat = message.relax_repeat();
   knit.noise_m = message.noise_m();
   knit.noise_seed = message.noise_seed();
+  knit.ends_woven_in = message.ends_woven_in();
   return knit;
 }
 
@@ -144,6 +145,7 @@ void write_knit(const Knit& knit, v1::Knit& message) {
   message.set_relax_repeat(knit.relax_repeat);
   message.set_noise_m(knit.noise_m);
   message.set_noise_seed(knit.noise_seed);
+  message.set_ends_woven_in(knit.ends_woven_in);
 }
 
 // --- yarns

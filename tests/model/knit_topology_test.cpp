@@ -180,6 +180,28 @@ TEST(KnitTopology, ATailIsOneStitchLongAndMassAStitchIsTheYarns) {
   EXPECT_NEAR(pitch * scale, 9e-3, 1e-12) << "from one base to the next of the same course";
 }
 
+TEST(KnitTopology, WovenInTheYarnBeginsWithASlipKnotAndEndsInTheLastLoop) {
+  for (const bool in_the_round : {false, true}) {
+    Knit knit = test::stockinette(4, 3, in_the_round);
+    const PlacedTopology loose = test::build_drawn(knit);
+    knit.ends_woven_in = true;
+    const PlacedTopology woven = test::build_drawn(knit);
+    const Topology &a = loose.topology, &b = woven.topology;
+    EXPECT_EQ(b.num_nodes, a.num_nodes - 2);
+    ASSERT_EQ(b.num_visits(), a.num_visits() - 1);
+    EXPECT_EQ(b.yarn_first, (std::vector<int>{0, b.num_visits()}));
+    EXPECT_EQ(b.visit_node[0], b.stitches[2].node[0]) << "right stitch of course 1, the left end of its base";
+    EXPECT_EQ(visits_per_node(b)[idx(b.visit_node[0])], 2);
+    EXPECT_TRUE(std::equal(b.visit_node.begin() + 1, b.visit_node.end(), a.visit_node.begin() + 1));
+    EXPECT_EQ(woven.q.head(3 * b.num_nodes), loose.q.head(3 * b.num_nodes));
+    EXPECT_EQ(b.visit_slides.front(), 0);
+    EXPECT_EQ(b.visit_slides.back(), 0) << "the knot";
+    EXPECT_EQ(b.visit_slides[b.visit_slides.size() - 2], 1);
+    EXPECT_EQ(b.contacts.size(), a.contacts.size());
+    for (int i = 0; i + 1 < b.num_visits(); ++i) EXPECT_GT(b.rest_arc[idx(i) + 1], b.rest_arc[idx(i)]);
+  }
+}
+
 TEST(KnitTopology, PlacementTurnsTheFabric) {
   Knit knit = test::stockinette(3, 3);
   const PlacedTopology plain = test::build_drawn(knit);
