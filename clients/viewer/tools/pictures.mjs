@@ -12,23 +12,25 @@ const scene = JSON.parse(readFileSync(join(root, 'scenes/stockinette-drape.json'
 const mostBytes = 2_000_000;
 const gif = { width: 560, height: 430, frames: 42, framesPerSecond: 12 };
 
-async function openJob(browser, address, viewport, sharpness) {
+/// With all its frames there.
+async function openJob(browser, { address, frames }, viewport, sharpness) {
   const view = await openPage(browser, { viewport, deviceScaleFactor: sharpness });
   await view.page.goto(address);
   await view.page.locator('canvas.stage[data-drawn]').waitFor();
   await view.page.waitForFunction(() => document.querySelector('.job-head .state').textContent === 'Done');
+  await view.page.waitForFunction((max) => document.querySelector('[aria-label="Frame"]').max === String(max), frames - 1);
   return view.page;
 }
 
-/// Shows a frame and waits until it is drawn.
+/// Shows another frame than the one that is shown, and waits until it is drawn.
 async function showFrame(page, place) {
   const drawn = await page.locator('canvas.stage').getAttribute('data-drawn');
   await page.getByRole('slider', { name: 'Frame' }).fill(String(place));
   await page.waitForFunction((before) => document.querySelector('canvas.stage').dataset.drawn !== before, drawn);
 }
 
-async function screenshot(browser, address) {
-  const page = await openJob(browser, address, { width: 1280, height: 860 }, 1);
+async function screenshot(browser, job) {
+  const page = await openJob(browser, job, { width: 1280, height: 860 }, 1);
   await page.locator('svg.plot').first().waitFor();
   await showFrame(page, Math.round(await lastPlace(page) / 2));
   await page.getByLabel('Colour by').selectOption('slid');
@@ -62,9 +64,9 @@ async function pixels(page) {
   return new Uint8Array(Buffer.from(base64, 'base64'));
 }
 
-async function animate(browser, address) {
+async function animate(browser, job) {
   // On a narrow page the picture is as wide as the page and about half as high.
-  const page = await openJob(browser, address, { width: gif.width + 22, height: Math.round(gif.height / 0.52) }, 2);
+  const page = await openJob(browser, job, { width: gif.width + 22, height: Math.round(gif.height / 0.52) }, 2);
   // An even background, which a GIF's few colours can show.
   await page.evaluate(() => { document.querySelector('.stage-frame').style.background = '#f4f5f6'; });
   await showFrame(page, Math.round(await lastPlace(page) / 3));
@@ -73,7 +75,6 @@ async function animate(browser, address) {
   await page.locator('canvas.stage').press('-');
   const frames = [];
   for (let place = 0; place <= Math.min(await lastPlace(page), gif.frames - 1); ++place) {
-    await showFrame(page, place === 0 ? 1 : 0);
     await showFrame(page, place);
     frames.push(await pixels(page));
   }
@@ -89,8 +90,9 @@ try {
   const id = await submit(server.address, scene);
   const job = await untilEnded(server.address, id);
   if (job.state !== 'SUCCEEDED') throw new Error(`the drape ended as ${job.state}`);
-  await screenshot(browser, `${server.address}/#/jobs/${id}`);
-  await animate(browser, `${server.address}/#/jobs/${id}`);
+  const shown = { address: `${server.address}/#/jobs/${id}`, frames: job.progress.frames };
+  await screenshot(browser, shown);
+  await animate(browser, shown);
 } finally {
   await browser.close();
   await server.stop();
