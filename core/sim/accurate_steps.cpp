@@ -14,12 +14,13 @@
 namespace slipstitch {
 namespace {
 
-constexpr double kFirstPair_s = 1e-5;
-constexpr double kShrink = 0.25, kGrow = 2.0, kCaution = 0.85;  // of a pair from one to the next
+constexpr double kFirstSpeed = 1.0;  // of yarn that would go the tolerance in the first pair [m/s]
+constexpr double kShrink = 0.25, kGrow = 4.0, kCaution = 0.85;  // of a pair from one to the next
 constexpr double kGrowth = 1.5;       // of the distance to the companion in a pair, that is no error of the pair's own
 constexpr double kAccept = 2.0;       // times the step's tolerance, that a pair is not done again for
-constexpr double kMemory = 0.1;       // of the duration, for peaks of the error
-constexpr double kWantedAtEnd = 0.4;  // of the tolerance, that the error is steered to
+constexpr double kMemory = 0.1;       // of the duration, for peaks of the error,
+constexpr double kMemoryPairs = 20.0;  // but not of more pairs
+constexpr double kWantedAtEnd = 0.35;  // of the tolerance, that the error is steered to
 constexpr double kWantedAtStart = 0.2;                                 // of that
 constexpr double kShare = 0.05, kLeastShare = 2e-3, kMostShare = 0.1;  // of the tolerance, for one pair
 constexpr double kSolveShare = 0.1;                                    // of that, for one solve
@@ -49,6 +50,16 @@ double order(const Model& model) {
   return on.inertia && !switches ? 2.0 : 1.0;
 }
 
+/// q at t of the motion with these states, by their velocities.
+VecX between(double t, const State& a, const State& b) {
+  const double h = b.t - a.t, s = (t - a.t) / h, r = 1.0 - s;
+  return r * r * (1.0 + 2.0 * s) * a.q + s * s * (3.0 - 2.0 * s) * b.q + h * s * r * (r * a.v - s * b.v);
+}
+
+VecX between(double t, const State& a, const State& middle, const State& b) {
+  return t < middle.t ? between(t, a, middle) : between(t, middle, b);
+}
+
 class AccurateSteps final : public StepControl {
  public:
   AccurateSteps(double tolerance_m, double duration_s, const Simulation& sim, std::unique_ptr<LinearSolver> solver)
@@ -60,6 +71,7 @@ class AccurateSteps final : public StepControl {
         companion_(sim.model(), std::move(solver)) {
     numerics_.integrator = Integrator::sdirk2;
     numerics_.smallest_step_s = kSmallestStep_s;
+    aid_.motion_first = aid_.foresee = true;
     const DofMap map = make_dof_map(sim.model());
     for (int n = 0; n < sim.model().topology.num_nodes; ++n)
       if (map.dof_of(3 * n) >= 0) free_nodes_.push_back(n);
@@ -99,28 +111,36 @@ class AccurateSteps final : public StepControl {
     result.h = h;
     const auto step = [&](Simulation& which, double length) {
       const NewtonReport before = result.report.newton;
-      result.report = which.step(length, numerics_, should_stop);
+      result.report = which.step(length, numerics_, should_stop, aid_);
       add_counts(before, result.report.newton);
       return result.report.accepted;
     };
-    bool done = step(companion_, 2.0 * h) && step(sim, h);
+    const State begin = sim.state();
+    aid_.expected = {};
+    bool done = step(sim, h);
     middle_ = sim.state();
     done = done && step(sim, h);
+    if (!sim.quasi_static()) {
+      const VecX apart = companion_.state().q - begin.q;
+      aid_.expected = [&, apart](double t) -> VecX { return apart + between(t, begin, middle_, sim.state()); };
+    }
+    done = done && step(companion_, 2.0 * h);
     result.steps = done ? 2 : 0;
     if (!done) next_pair_ = h;
     return result;
   }
 
+  /// Over what a pair may have.
   double error_of_pair(const State& begin, const Simulation& sim, double distance_before) const {
-    const double parted = std::max(0.0, distance(sim) - kGrowth * distance_before);
-    return sim.quasi_static() ? parted : std::max(parted, defect(begin, middle_, sim.state()));
+    const double parted = std::max(0.0, distance(sim) - kGrowth * distance_before) / pair_tolerance_;
+    return sim.quasi_static() ? parted : std::max(parted, defect(begin, middle_, sim.state()) / pair_tolerance_);
   }
 
   /// Also chooses the next pair.
   bool good_enough(double pair, double error) {
-    const double change = kCaution * std::pow(pair_tolerance_ / std::max(error, 1e-300), 1.0 / power_);
+    const double change = kCaution * std::pow(std::max(error, 1e-300), -1.0 / power_);
     next_pair_ = std::max(pair * std::clamp(change, kShrink, kGrow), kSmallestPair_s);
-    return error <= kAccept * pair_tolerance_ || pair <= kEven * kSmallestPair_s;
+    return error <= kAccept || pair <= kEven * kSmallestPair_s;
   }
 
   template <class F>
@@ -147,7 +167,8 @@ class AccurateSteps final : public StepControl {
     error_.position_m = distance(sim) / (std::pow(2.0, order_) - 1.0);
     const double way = kWantedAtStart + (1.0 - kWantedAtStart) * sim.state().t / duration_;
     const double wanted = kWantedAtEnd * tolerance_ * way;
-    peak_ = std::max(error_.position_m, peak_ * std::exp(-passed / (kMemory * duration_)));
+    peak_ =
+        std::max(error_.position_m, peak_ * std::exp(-std::max(passed / (kMemory * duration_), 1.0 / kMemoryPairs)));
     const double room = wanted / std::max(peak_, 1e-300);
     pair_tolerance_ = tolerance_ * std::clamp(kShare * room * room, kLeastShare, kMostShare);
     if (sim.state().t < end * (1.0 - 1e-12)) return;
@@ -163,8 +184,9 @@ class AccurateSteps final : public StepControl {
   std::vector<int> free_nodes_;
   Simulation companion_;
   FixedNumerics numerics_;
+  StepAid aid_;
   State middle_;
-  double next_pair_ = kFirstPair_s;              // two steps together [s]
+  double next_pair_ = tolerance_ / kFirstSpeed;  // two steps together [s]
   double pair_tolerance_ = kShare * tolerance_;  // [m]
   double peak_ = 0.0;                            // of the error, as errors that swing are small now and then [m]
   ErrorEstimate error_;

@@ -26,12 +26,14 @@ bool looks_back(Integrator integrator) {
 
 }  // namespace
 
-StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop) {
+StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop,
+                            const StepAid& aid) {
+  const How how{numerics, should_stop, aid};
   const Integrator integrator = quasi_static() ? Integrator::implicit_euler : numerics.integrator;
   const VecX v = state_.v;
   StepReport report;
   if (looks_back(integrator) && state_.h_before == 0.0) {
-    report = find_first_velocity(h, numerics, should_stop);
+    report = find_first_velocity(h, how);
     if (!report.accepted) return report;
   }
   const NewtonReport before = report.newton;
@@ -39,15 +41,15 @@ StepReport Simulation::step(double h, const FixedNumerics& numerics, const std::
   switch (integrator) {
     case Integrator::implicit_euler:
     case Integrator::linearised_euler:
-      return solve({h, begin}, numerics, should_stop);
+      return solve({h, begin}, how);
     case Integrator::bdf2:
-      report = bdf2(begin, h, numerics, should_stop);
+      report = bdf2(begin, h, how);
       break;
     case Integrator::sdirk2:
-      report = sdirk2(begin, h, numerics, should_stop);
+      report = sdirk2(begin, h, how);
       break;
     case Integrator::implicit_midpoint:
-      report = midpoint(begin, h, numerics, should_stop);
+      report = midpoint(begin, h, how);
       break;
   }
   add_counts(before, report.newton);
@@ -73,9 +75,9 @@ VecX Simulation::ahead(const VecX& q, const VecX& before, double share) const {
 /// Where scripts set off at once the velocity that goes with the momentum at the start is another than the scene's, and
 /// so is dT/dq there: a step of implicit Euler tells which. Without it methods of second order begin with an error of
 /// the first.
-StepReport Simulation::find_first_velocity(double h, const FixedNumerics& numerics, const ShouldStop& should_stop) {
+StepReport Simulation::find_first_velocity(double h, const How& how) {
   State begin = state_;
-  const StepReport report = solve({h, begin}, numerics, should_stop);
+  const StepReport report = solve({h, begin}, how);
   if (report.accepted) begin.v = state_.v;
   state_ = std::move(begin);
   return report;
@@ -83,8 +85,7 @@ StepReport Simulation::find_first_velocity(double h, const FixedNumerics& numeri
 
 /// (1 + 2r)/(1 + r) q' h = q - [(1 + r)^2 q_n - r^2 q_{n-1}]/(1 + 2r), r = h/h_{n-1}; stable for r < 2.41. The first
 /// step is implicit Euler's. [Hairer, Norsett and Wanner 1993, III.5]
-StepReport Simulation::bdf2(const State& begin, double h, const FixedNumerics& numerics,
-                            const ShouldStop& should_stop) {
+StepReport Simulation::bdf2(const State& begin, double h, const How& how) {
   StepContext step{h, begin};
   VecX near_q = begin.q;
   const VecX near_v = velocity_ahead(begin, h);
@@ -98,16 +99,15 @@ StepReport Simulation::bdf2(const State& begin, double h, const FixedNumerics& n
     step.past = {{weight, &begin.q, &begin.p}, {1.0 - weight, &begin.q_before, &begin.p_before}};
     step.rate_past = step.past;
   }
-  return solve(step, numerics, should_stop);
+  return solve(step, how);
 }
 
-StepReport Simulation::sdirk2(const State& begin, double h, const FixedNumerics& numerics,
-                              const ShouldStop& should_stop) {
+StepReport Simulation::sdirk2(const State& begin, double h, const How& how) {
   StepContext first{kSdirk * h, begin};
   const VecX near_q = ahead(begin.q, begin.q - first.h * begin.v, 1.0), near_v = velocity_ahead(begin, first.h);
   first.near_q = &near_q;
   first.near_v = &near_v;
-  const StepReport inner = solve(first, numerics, should_stop);
+  const StepReport inner = solve(first, how);
   if (!inner.accepted) return inner;
 
   const State middle = state_;
@@ -119,7 +119,7 @@ StepReport Simulation::sdirk2(const State& begin, double h, const FixedNumerics&
   second.rate_past = second.past;
   second.near_q = &end_q;
   second.near_v = &end_v;
-  StepReport report = solve(second, numerics, should_stop);
+  StepReport report = solve(second, how);
   add_counts(inner.newton, report.newton);
   if (report.accepted) state_.t = begin.t + h;
   return report;
@@ -128,8 +128,7 @@ StepReport Simulation::sdirk2(const State& begin, double h, const FixedNumerics&
 /// Half a step of implicit Euler, with M and dT/dq taken where it ends as far as is known, and the same way again.
 /// v_before is that of the last midpoint, and v follows from the last two: 2 v - v_n would keep an error of v, as of
 /// what scripts set in motion at once, for ever.
-StepReport Simulation::midpoint(const State& begin, double h, const FixedNumerics& numerics,
-                                const ShouldStop& should_stop) {
+StepReport Simulation::midpoint(const State& begin, double h, const How& how) {
   StepContext half{0.5 * h, begin};
   const VecX near_q = ahead(begin.q, begin.q - half.h * begin.v, 1.0);
   const VecX near_v = velocity_ahead(begin, h);
@@ -142,7 +141,7 @@ StepReport Simulation::midpoint(const State& begin, double h, const FixedNumeric
     last_middle = 0.5 * (begin.q + begin.q_before);
     half.rate_past = {{1.0 - bend, &begin.q}, {2.0 * bend, &last_middle}, {-bend, &begin.q_before}};
   }
-  StepReport report = solve(half, numerics, should_stop);
+  StepReport report = solve(half, how);
   if (!report.accepted) return report;
 
   State& end = state_;

@@ -115,7 +115,8 @@ void Simulation::begin_step(const StepContext& step) {
   std::apply([&](auto&... term) { (term.begin_step(step), ...); }, forces_);
 }
 
-StepReport Simulation::solve(const StepContext& step, const FixedNumerics& numerics, const ShouldStop& should_stop) {
+StepReport Simulation::solve(const StepContext& step, const How& how) {
+  const FixedNumerics& numerics = how.numerics;
   begin_step(step);
   VecX start = state_.q;
   apply_scripts(model_, step.end_t(), start);
@@ -134,18 +135,18 @@ StepReport Simulation::solve(const StepContext& step, const FixedNumerics& numer
     objective.settle_on_their_own(ends_, kEndsTolerance * step.h * numerics.velocity_tolerance_m_per_s);
   }
   const VecX unmoved = y;
-  const bool follows = objective.follow_scripts(y, state_.q, solver);
-  const bool risen = !follows && !quasi_static() && objective.extrapolate(y, step.duration, state_.v);
+  const bool risen = start_from_guess(step, how.aid, objective, solver, y);
 
   NewtonOptions options;
   options.max_iterations = numerics.max_newton_iterations;
-  options.should_stop = should_stop;
+  options.should_stop = how.should_stop;
   if (quasi_static()) {
     options.gradient_tolerance = numerics.force_tolerance_n;
     options.relative_shift = 1e-9;
     options.most_shift = resistance_;
   } else {
     options.step_tolerance = step.h * numerics.velocity_tolerance_m_per_s;
+    options.foresee = how.aid.foresee;
   }
   if (model_.naive.unfiltered_steps) objective.allow_any_step();
   options.convex_fallback = !model_.naive.unprojected_hessian;
@@ -173,6 +174,26 @@ StepReport Simulation::solve(const StepContext& step, const FixedNumerics& numer
     blame(y, report);
   }
   return report;
+}
+
+/// Moves y; whether the value there is higher.
+bool Simulation::start_from_guess(const StepContext& step, const StepAid& aid, StepObjective& objective,
+                                  LinearSolver& solver, VecX& y) {
+  const auto extrapolate = [&](VecX& from) {
+    return objective.extrapolate(
+        from, aid.expected ? VecX(aid.expected(step.end_t()) - state_.q) : VecX(step.duration * state_.v));
+  };
+  if (quasi_static()) {
+    objective.follow_scripts(y, state_.q, solver);
+    return false;
+  }
+  VecX guess = y;
+  Guess led = Guess::none;
+  if (aid.motion_first) led = extrapolate(guess);
+  if (led != Guess::lower && objective.follow_scripts(y, state_.q, solver)) return false;
+  if (!aid.motion_first) led = extrapolate(guess);
+  if (led != Guess::none) y = guess;
+  return led == Guess::higher;
 }
 
 bool Simulation::push_out_of_scripts(VecX& start, StepReport& report) {

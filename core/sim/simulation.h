@@ -14,6 +14,8 @@
 
 namespace slipstitch {
 
+class StepObjective;
+
 /// Why a step that Newton could do, or need not try, is refused all the same.
 enum class StepFault {
   none,
@@ -35,6 +37,13 @@ struct StepReport {
   std::string worst_term;
 };
 
+/// For runs that know more than one step tells: where solves begin, and when they end.
+struct StepAid {
+  std::function<VecX(double t)> expected;  // q at times within the step, full coordinates; empty: along v
+  bool motion_first = false;  // where that leads lower nobody asks where scripts would lead, which takes a factor
+  bool foresee = false;       // NewtonOptions::foresee
+};
+
 /// One fabric in time. Each solve of a step minimises the sum of all force terms, which are its incremental potential;
 /// integrators are made of such solves (integrate.cpp). Without inertia every step is an equilibrium under the step's
 /// script and friction.
@@ -48,7 +57,8 @@ class Simulation {
   Simulation& operator=(const Simulation&) = delete;
 
   /// Advances by h [s] if the solve converges; otherwise the state is unchanged.
-  StepReport step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop);
+  StepReport step(double h, const FixedNumerics& numerics, const std::function<bool()>& should_stop,
+                  const StepAid& aid = {});
 
   /// Goes on from a snapshot of a simulation of the same model.
   void restore(const State& state) { state_ = state; }
@@ -71,13 +81,19 @@ class Simulation {
   VecX reactions() const;
 
  private:
-  using ShouldStop = std::function<bool()>;
-  StepReport bdf2(const State& begin, double h, const FixedNumerics& numerics, const ShouldStop& should_stop);
-  StepReport sdirk2(const State& begin, double h, const FixedNumerics& numerics, const ShouldStop& should_stop);
-  StepReport midpoint(const State& begin, double h, const FixedNumerics& numerics, const ShouldStop& should_stop);
-  StepReport find_first_velocity(double h, const FixedNumerics& numerics, const ShouldStop& should_stop);
+  struct How {  // all solves of a step are done
+    const FixedNumerics& numerics;
+    const std::function<bool()>& should_stop;
+    const StepAid& aid;
+  };
+  StepReport bdf2(const State& begin, double h, const How& how);
+  StepReport sdirk2(const State& begin, double h, const How& how);
+  StepReport midpoint(const State& begin, double h, const How& how);
+  StepReport find_first_velocity(double h, const How& how);
   VecX ahead(const VecX& q, const VecX& before, double share) const;
-  StepReport solve(const StepContext& step, const FixedNumerics& numerics, const ShouldStop& should_stop);
+  StepReport solve(const StepContext& step, const How& how);
+  bool start_from_guess(const StepContext& step, const StepAid& aid, StepObjective& objective, LinearSolver& solver,
+                        VecX& y);
   void begin_step(const StepContext& step);
   bool push_out_of_scripts(VecX& start, StepReport& report);
   void accept(const StepContext& step, const VecX& q);

@@ -167,21 +167,20 @@ bool StepObjective::follow_scripts(VecX& y, const VecX& q0, LinearSolver& solver
   return true;
 }
 
-bool StepObjective::extrapolate(VecX& y, double h, const VecX& v) {
+Guess StepObjective::extrapolate(VecX& y, const VecX& way) {
   VecX step = VecX::Zero(y.size());
   for (int c = 0; c < map_.num_coords(); ++c)
-    if (const int d = map_.dof_of(c); d >= 0) step[d] = h * v[c];
+    if (const int d = map_.dof_of(c); d >= 0) step[d] = way[c];
   const double here = value(y);
   double a = max_step(y, step);
   for (int k = 0; k < kMaxGuessHalvings; ++k, a *= 0.5) {
     const VecX guess = y + a * step;
     const double there = value(guess);  // fills q_
-    if (!std::isfinite(there)) continue;
-    if (overstretched(q_)) continue;
+    if (!std::isfinite(there) || overstretched(q_)) continue;
     y = guess;
-    return there > here;
+    return there > here ? Guess::higher : Guess::lower;
   }
-  return false;
+  return Guess::none;
 }
 
 }  // namespace slipstitch

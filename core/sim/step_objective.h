@@ -25,6 +25,9 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_;
 };
 
+/// What a guess did to the value; none: it leads nowhere.
+enum class Guess { none, lower, higher };
+
 /// The sum of all terms in the unknowns, with the limits on a Newton step: arc lengths keep their order, no segment
 /// turns by more than about a quarter of pi, and no wrap either.
 class StepObjective final : public Objective {
@@ -52,10 +55,11 @@ class StepObjective final : public Objective {
   void settle(VecX& y, const VecX& before) override;
   double step_size(const VecX& dy) const override;
 
-  /// Moves y along h v, as far as the step limits allow and yarn that turns is not stretched by more than a twentieth:
-  /// Newton removes that in one iteration and has less turning left to do, but yarn torn apart takes it many. Returns
-  /// whether the value rose: then the solve may end higher than it would have begun, which is no step of implicit Euler.
-  bool extrapolate(VecX& y, double h, const VecX& v);
+  /// Moves y along `way` (full coordinates), as far as the step limits allow and yarn that turns is not stretched by
+  /// more than a twentieth: Newton removes that in one iteration and has less turning left to do, but yarn torn apart
+  /// takes it many. Where the value rose the solve may end higher than it would have begun, which is no step of
+  /// implicit Euler.
+  Guess extrapolate(VecX& y, const VecX& way);
 
   /// Moves y to where the linearisation at q0, the state before the step, puts it while the held coordinates go to where
   /// scripts want them, and returns true, if the value is lower there. From a state in which only what is held has

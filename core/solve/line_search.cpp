@@ -52,6 +52,7 @@ Search backtrack(Objective& objective, VecX& x, const VecX& step, const Armijo& 
 Search Watchdog::advance(Objective& objective, VecX& x, const NewtonPoint& point, NewtonReport& report) {
   const double slope = point.gradient.dot(point.step);
   turned_back_ = false;
+  share_ = 0.0;
   if (left_ > 0 && point.value <= value_ + kArmijo * a_ * slope_) left_ = 0;
   if (left_ > 0) {
     const double a = objective.max_step(x, point.step);
@@ -59,6 +60,7 @@ Search Watchdog::advance(Objective& objective, VecX& x, const NewtonPoint& point
     if (--left_ == 0 || !std::isfinite(objective.value(trial))) return turn_back(objective, x, report);
     objective.predict(x, a * point.step);
     x = std::move(trial);
+    share_ = a;
     return Search::decreased;
   }
   if (!(slope < 0.0)) return slope == 0.0 ? Search::flat : Search::failed;
@@ -76,6 +78,7 @@ Search Watchdog::advance(Objective& objective, VecX& x, const NewtonPoint& point
   if (!accepted) watch(x, point, slope, a);
   objective.predict(x, a * point.step);
   x = std::move(trial);
+  share_ = a;
   return accepted && armijo.flat(a) ? Search::flat : Search::decreased;
 }
 

@@ -19,12 +19,15 @@ class Watchdog {
   bool watching() const { return left_ > 0; }
   /// Whether x is where the last direction led: neither on trial nor back at the reference point.
   bool settled() const { return left_ == 0 && !turned_back_; }
+  /// Of the last direction, that advance() went; 0 where it failed.
+  double share() const { return share_; }
 
  private:
   void watch(const VecX& x, const NewtonPoint& point, double slope, double a);
 
   VecX x_, step_;  // where the value last was lowest, and the direction there
   double value_ = 0.0, slope_ = 0.0, a_ = 1.0;
+  double share_ = 0.0;
   int left_ = 0;
   bool turned_back_ = false;
 };

@@ -24,6 +24,13 @@ bool is_round_off(const NewtonPoint& point, const VecX& x, double tolerance) {
   return (point.gradient.array().abs() <= known.array().max(tolerance)).all();
 }
 
+/// Whether all steps after one of size `step`, the full one before of size `before`, are together within `tolerance`,
+/// if they go on to shrink at least as fast.
+bool ends_within(double tolerance, double step, double before) {
+  constexpr double kFast = 0.3;
+  return step < kFast * before && step * step <= tolerance * (before - step);
+}
+
 }  // namespace
 
 std::string_view to_string(NewtonStatus status) {
@@ -57,6 +64,7 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
   NewtonPoint point;
   Watchdog watchdog;
   int flat = 0;
+  double last_full_step = 0.0;
   const auto done = [&](NewtonStatus status) {
     report.status = status;
     if (point.step.size() > 0 && point.step.allFinite()) point.step.cwiseAbs().maxCoeff(&report.worst);
@@ -90,6 +98,12 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
       ++report.iterations;
       return done(NewtonStatus::converged);
     }
+    const bool full = point.is_newton_step && watchdog.settled() && watchdog.share() == 1.0;
+    if (options.foresee && full && ends_within(options.step_tolerance, report.max_step, last_full_step)) {
+      ++report.iterations;
+      return done(NewtonStatus::converged);
+    }
+    last_full_step = full ? report.max_step : 0.0;
     if (search == Search::failed) return done(NewtonStatus::stalled);
     flat = search == Search::flat ? flat + 1 : 0;
     if (flat > kMaxFlatIterations) return done(NewtonStatus::stalled);

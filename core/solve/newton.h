@@ -11,6 +11,9 @@ namespace slipstitch {
 
 struct NewtonOptions {
   double step_tolerance = 0.0;      // stop when the Newton step's size is <= this [unit of x]; 0: not used
+  // Also stop where full steps shrink so fast that all that are left are together no longer than step_tolerance.
+  // [Hairer and Wanner 1996, IV.8]
+  bool foresee = false;
   // Stop when max |gradient| <= this [unit of value/x], or no more than what the last digits of x make of it; 0: not used.
   double gradient_tolerance = 0.0;
   double relative_shift = 0.0;      // added to the diagonal, in units of its mean; > 0 where rigid motion is free

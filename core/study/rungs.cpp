@@ -23,8 +23,8 @@ static_assert(std::string_view(kMethods[0].name) == kBaselineMethod);
 
 constexpr double kLargestStep_s = 1.0 / 60, kSmallestStep_s = 0.25e-3;
 constexpr std::size_t kFewestSteps = 3, kMostSteps = 12, kQuickSteps = 4;  // of one method
-constexpr std::array kTolerances_m{1e-3, 3e-4, 1e-4, 3e-5, 1e-5};
-constexpr std::size_t kQuickTolerances = 3;
+constexpr std::array kTolerances_m{1e-2, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5};
+constexpr std::size_t kQuickTolerances = 4;
 constexpr std::array kForceTolerances{1000.0, 30.0, 1.0};  // times the scene's, of static scenes
 constexpr std::size_t kStaticSteps = 4, kQuickStaticSteps = 2;
 

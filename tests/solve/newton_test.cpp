@@ -213,6 +213,44 @@ TEST(Newton, StopsOnTheStepToo) {
   EXPECT_LT((x - Vec<2>(1.0, 1.0)).norm(), 1e-3);
 }
 
+TEST(Newton, ForeseesTheEndWhereStepsShrinkFast) {
+  // cosh: from 0.5 the steps are 0.46, 0.038 and 1.8e-5.
+  Function f(1);
+  f.f = [](const VecX& x) { return std::cosh(x[0]); };
+  f.gradient = [](const VecX& x) -> VecX { return VecX::Constant(1, std::sinh(x[0])); };
+  f.hessian = [](const VecX& x) -> Eigen::MatrixXd { return Eigen::MatrixXd::Constant(1, 1, std::cosh(x[0])); };
+  NewtonOptions options;
+  options.step_tolerance = 5e-3;
+  VecX x = VecX::Constant(1, 0.5);
+  EXPECT_EQ(minimise(f, options, x).iterations, 3);
+  options.foresee = true;
+  x = VecX::Constant(1, 0.5);
+  const NewtonReport report = minimise(f, options, x);
+  EXPECT_EQ(report.status, NewtonStatus::converged);
+  EXPECT_EQ(report.iterations, 2);
+  EXPECT_GT(report.max_step, options.step_tolerance);
+  EXPECT_LT(std::abs(x[0]), options.step_tolerance);
+  options.step_tolerance = 1e-3;  // 0.038^2 / (0.46 - 0.038) is more
+  x = VecX::Constant(1, 0.5);
+  EXPECT_EQ(minimise(f, options, x).iterations, 3);
+}
+
+TEST(Newton, ForeseesNothingWhereStepsShrinkSlowly) {
+  Function f(1);  // x^4: every step leaves two thirds
+  f.f = [](const VecX& x) { return std::pow(x[0], 4); };
+  f.gradient = [](const VecX& x) -> VecX { return VecX::Constant(1, 4.0 * std::pow(x[0], 3)); };
+  f.hessian = [](const VecX& x) -> Eigen::MatrixXd {
+    return Eigen::MatrixXd::Constant(1, 1, 12.0 * x[0] * x[0]);
+  };
+  NewtonOptions options;
+  options.step_tolerance = 1e-2;
+  VecX x = VecX::Constant(1, 1.0);
+  const int without = minimise(f, options, x).iterations;
+  options.foresee = true;
+  x = VecX::Constant(1, 1.0);
+  EXPECT_EQ(minimise(f, options, x).iterations, without);
+}
+
 // Where every energy is zero a step far below the tolerance cannot lower the value any more.
 TEST(Newton, AcceptsASmallStepThatRoundOffHides) {
   Function flat = quadratic(Mat3::Identity(), Vec3::Zero());
