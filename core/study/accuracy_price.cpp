@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kLeastDigits = 0.5;
 constexpr double kNoError_m = 1e-15;  // stands for none in logarithms
+constexpr double kBaselineStep_s = 1e-3, kAboutThat = 1.2;
 
 struct Point {
   double error_m, wall_s;
@@ -68,12 +69,17 @@ double extended_time_at(const std::vector<Point>& front, double error) {
   return end.wall_s * end.error_m / error;
 }
 
-void compare_with_baseline(std::vector<RungResult>& rungs, Error error, std::optional<Speedup> RungResult::*speedup) {
+std::vector<Point> frontier_of(const std::vector<RungResult>& rungs, std::string_view method,
+                               Error error = &RungErrors::position_m) {
   std::vector<Point> points;
   for (const RungResult& result : rungs)
-    if (result.rung.method == kBaselineMethod && comparable(result, error)) points.push_back(point_of(result, error));
-  if (points.empty()) return;
-  const std::vector<Point> front = frontier(points);
+    if (result.rung.method == method && comparable(result, error)) points.push_back(point_of(result, error));
+  return frontier(std::move(points));
+}
+
+void compare_with_baseline(std::vector<RungResult>& rungs, Error error, std::optional<Speedup> RungResult::*speedup) {
+  const std::vector<Point> front = frontier_of(rungs, kBaselineMethod, error);
+  if (front.empty()) return;
   for (RungResult& result : rungs) {
     if (!comparable(result, error)) continue;
     const Point here = point_of(result, error);
@@ -103,6 +109,23 @@ void mark_front(std::vector<RungResult>& rungs) {
 void compare_with_baseline(std::vector<RungResult>& rungs) {
   compare_with_baseline(rungs, &RungErrors::position_m, &RungResult::speedup);
   compare_with_baseline(rungs, &RungErrors::most_m, &RungResult::speedup_most);
+}
+
+std::optional<DefaultGain> default_gain(const std::vector<RungResult>& rungs, double share) {
+  const auto a_millisecond = std::find_if(rungs.begin(), rungs.end(), [](const RungResult& r) {
+    return r.rung.method == kBaselineMethod && comparable(r) && r.rung.size < kAboutThat * kBaselineStep_s &&
+           r.rung.size > kBaselineStep_s / kAboutThat;
+  });
+  const std::vector<Point> own = frontier_of(rungs, kAccuracyMethod);
+  if (a_millisecond == rungs.end() || own.empty()) return std::nullopt;
+  DefaultGain gain;
+  gain.error_m = share * point_of(*a_millisecond).error_m;
+  if (gain.error_m < own.back().error_m) return std::nullopt;
+  gain.default_s = gain.error_m > own.front().error_m ? own.front().wall_s : time_at(own, gain.error_m);
+  const std::vector<Point> baseline = frontier_of(rungs, kBaselineMethod);
+  gain.baseline_extrapolated = !within(baseline, gain.error_m);
+  gain.baseline_s = share == 1.0 ? a_millisecond->wall_s : extended_time_at(baseline, gain.error_m);
+  return gain;
 }
 
 std::vector<DigitPrice> digit_prices(const std::vector<RungResult>& rungs) {

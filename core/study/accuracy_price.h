@@ -20,6 +20,17 @@ void mark_front(std::vector<RungResult>& rungs);
 /// time goes with 1 / error, as of a method of first order whose steps all take the same.
 void compare_with_baseline(std::vector<RungResult>& rungs);
 
+/// The program's own way, runs to a tolerance, beside the baseline with steps of a millisecond.
+struct DefaultGain {
+  double error_m = 0.0;                      // of both
+  double baseline_s = 0.0, default_s = 0.0;  // that they take to it
+  bool baseline_extrapolated = false;        // as in compare_with_baseline()
+};
+
+/// At `share` of the error of that baseline. The default's time is interpolated as the baseline's is; where even its
+/// coarsest run is more accurate it is that run's. None: a run is missing, or none of the default's is so accurate.
+std::optional<DefaultGain> default_gain(const std::vector<RungResult>& rungs, double share);
+
 /// What ten times less error costs along the marked front: from every power of ten to the next within it, in logarithms
 /// between its rungs, of which those that are not resolved do not count.
 std::vector<DigitPrice> digit_prices(const std::vector<RungResult>& rungs);

@@ -43,14 +43,22 @@ std::string study_markdown(const WorkPrecision& study, const std::string& comman
                      (job.empty() ? "Made by `" + command + "`"
                                   : "Made by a server as " + job + "; `" + command + "` makes another such") +
                      "; do not edit.\n\n";
+  return text + study_section(study, "") + study_legend(study);
+}
+
+std::string study_section(const WorkPrecision& study, const std::string& folder) {
+  std::string text;
   for (const std::string& paragraph : {about_study(study), about_reference(study), about_horizon(study),
                                        about_worst_place(study), about_digits(study)})
     if (!paragraph.empty()) text += paragraph + "\n\n";
-  text += "![Error of positions against wall time](" + study_plot_file(StudyAxis::wall_time) +
-          ")\n\n![Error of positions against Newton iterations](" + study_plot_file(StudyAxis::newton_iterations) +
-          ")\n\n" + table_of(study, study_position_columns()) + table_of(study, study_other_columns());
+  text += "![Error of positions against wall time](" + folder + study_plot_file(StudyAxis::wall_time) +
+          ")\n\n![Error of positions against Newton iterations](" + folder +
+          study_plot_file(StudyAxis::newton_iterations) + ")\n\n" + table_of(study, study_position_columns()) +
+          table_of(study, study_other_columns());
   for (const std::string& reason : without_result(study)) text += "- " + reason + "\n";
-  return text + (without_result(study).empty() ? "" : "\n") + how_to_read_study() + "\n\n" + columns_list(study);
+  return text + (without_result(study).empty() ? "" : "\n");
 }
+
+std::string study_legend(const WorkPrecision& study) { return how_to_read_study() + "\n\n" + columns_list(study); }
 
 }  // namespace slipstitch

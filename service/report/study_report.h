@@ -22,6 +22,10 @@ std::string study_plot(const WorkPrecision& study, StudyAxis axis);
 /// Tables and plots, to which it refers as files. `command` made it or, where a server's `job` did, makes another such.
 std::string study_markdown(const WorkPrecision& study, const std::string& command, const std::string& job = {});
 
+/// Parts of that: of the study, its plots in `folder` ("" or with a slash at its end), and what the columns mean.
+std::string study_section(const WorkPrecision& study, const std::string& folder);
+std::string study_legend(const WorkPrecision& study);
+
 /// The same as one self-contained page.
 std::string study_page(const WorkPrecision& study, const std::string& command, const std::string& job = {});
 

@@ -51,13 +51,34 @@ TEST_F(StudyCommand, WritesTheTableInEveryForm) {
     EXPECT_NE(document.find(part), std::string::npos) << part;
 }
 
+TEST_F(StudyCommand, PutsSeveralScenesBesideEachOther) {
+  write_bytes(folder_ / "longer.json", swing_scene(0.15));
+  const ProgramEnd end = slipstitch(quick({folder_ / "longer.json"}));
+  ASSERT_EQ(end.exit_code, 0) << end.err;
+  const std::string document = read_bytes(folder_ / "out" / "accuracy.md");
+  for (const char* part : {"longer.json --out ", "| scene | baseline's error |", "| median |", "0.1 s in ", "0.15 s in ",
+                           "](accuracy/swing/error-time.svg)", "](accuracy/longer/error-newton.svg)"})
+    EXPECT_NE(document.find(part), std::string::npos) << part << "\n" << document;
+  for (const char* stem : {"swing", "longer"})
+    EXPECT_TRUE(std::filesystem::is_regular_file(folder_ / "out" / "accuracy" / stem / "study.csv")) << stem;
+}
+
+TEST_F(StudyCommand, RefusesTwoScenesOfOneName) {
+  std::filesystem::create_directory(folder_ / "other");
+  write_bytes(folder_ / "other" / "swing.json", swing_scene(0.15));
+  const ProgramEnd end = slipstitch(quick({folder_ / "other" / "swing.json"}));
+  EXPECT_EQ(end.exit_code, 2);
+  EXPECT_NE(end.err.find("two scenes are called 'swing'"), std::string::npos) << end.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
 TEST_F(StudyCommand, PrintsOneJsonObject) {
   const ProgramEnd end = slipstitch(quick({"--json"}));
   ASSERT_EQ(end.exit_code, 0) << end.err;
   const auto json = nlohmann::json::parse(end.out);
   EXPECT_EQ(json["scene"], "swing");
   EXPECT_EQ(json["finished"], true);
-  EXPECT_EQ(json["rungs"].size(), 23U);
+  EXPECT_EQ(json["rungs"].size(), 24U);
   EXPECT_GT(json["rungs"][0]["position_error_m"].get<double>(), json["reference"]["error_m"].get<double>());
   EXPECT_TRUE(json["horizon_s"].is_null());
 }

@@ -58,6 +58,30 @@ TEST(AccuracyPrice, WithoutABaselineThereIsNoComparison) {
   EXPECT_FALSE(rungs[0].speedup);
 }
 
+TEST(AccuracyPrice, TheDefaultIsComparedAtTheErrorOfTheBaselineWithAMillisecond) {
+  const std::string own(kAccuracyMethod);
+  std::vector<RungResult> rungs{rung(kBase, 4.17e-3, 4e-3, 2.0), rung(kBase, 1.04e-3, 1e-3, 8.0),
+                                rung(kBase, 0.52e-3, 5e-4, 16.0)};
+  EXPECT_FALSE(default_gain(rungs, 1.0)) << "no run to a tolerance";
+  rungs.push_back(rung(own, 1e-2, 1e-2, 1.0));
+  rungs.push_back(rung(own, 1e-3, 1e-4, 4.0));
+  const auto equal = default_gain(rungs, 1.0);
+  ASSERT_TRUE(equal);
+  EXPECT_NEAR(equal->error_m, 1e-3, 1e-15);
+  EXPECT_NEAR(equal->baseline_s, 8.0, 1e-12);
+  EXPECT_NEAR(equal->default_s, 2.0, 1e-9);
+  EXPECT_FALSE(equal->baseline_extrapolated);
+  const auto tenth = default_gain(rungs, 0.1);
+  ASSERT_TRUE(tenth);
+  EXPECT_NEAR(tenth->baseline_s, 80.0, 1e-9);
+  EXPECT_NEAR(tenth->default_s, 4.0, 1e-9);
+  EXPECT_TRUE(tenth->baseline_extrapolated);
+  EXPECT_FALSE(default_gain(rungs, 0.01)) << "none of the default's is so accurate";
+  EXPECT_NEAR(default_gain(rungs, 100.0)->default_s, 1.0, 1e-12) << "the coarsest, which is more accurate";
+  std::erase_if(rungs, [](const RungResult& r) { return r.rung.size == 1.04e-3; });
+  EXPECT_FALSE(default_gain(rungs, 1.0)) << "no baseline with a millisecond";
+}
+
 TEST(AccuracyPrice, ADigitCostsWhatTheFrontSays) {
   // Time with the square root of 1/error, but for the last tenfold: with 1/error.
   std::vector<RungResult> rungs{rung("A", 1.0, 3e-2, 1.0), rung("A", 0.5, 3e-4, 10.0), rung("A", 0.2, 3e-5, 100.0),
