@@ -17,7 +17,7 @@ namespace {
 constexpr double kTolerances_m[] = {1e-3, 1e-4, 1e-5};
 constexpr double kShareAsItIs = 0.4;    // of the budget, where there is a pilot to a tolerance too
 constexpr double kShareOfRun = 0.1;     // of the run, that its pilot may take
-constexpr double kLeastPilot_s = 0.05;  // that is worth it however short the run
+constexpr double kLeastPilot_s = 0.2;   // that may be taken however short the run
 constexpr double kFewest = 8.0;         // iterations without which a pilot says nothing
 constexpr double kModelled = 4.0;       // iterations by the model that count as one that was timed, four times over
 constexpr double kMatrixBytes = 12.0;   // of an entry of the Hessian: value and row
