@@ -15,12 +15,12 @@ namespace slipstitch {
 namespace {
 
 constexpr double kTolerances_m[] = {1e-3, 1e-4, 1e-5};
-constexpr double kShareAsItIs = 0.4;    // of the budget, where there is a pilot to a tolerance too
-constexpr double kShareOfRun = 0.1;     // of the run, that its pilot may take
-constexpr double kLeastPilot_s = 0.2;   // that may be taken however short the run
-constexpr double kFewest = 8.0;         // iterations without which a pilot says nothing
-constexpr double kModelled = 4.0;       // iterations by the model that count as one that was timed, four times over
-constexpr double kMatrixBytes = 12.0;   // of an entry of the Hessian: value and row
+constexpr double kShareAsItIs = 0.4;   // of the budget, where there is a pilot to a tolerance too
+constexpr double kShareOfRun = 0.1;    // of the run, that its pilot may take
+constexpr double kLeastPilot_s = 0.2;  // that may be taken however short the run
+constexpr double kFewest = 8.0;        // iterations without which a pilot says nothing
+constexpr double kModelled = 4.0;      // iterations by the model that count as one that was timed, four times over
+constexpr double kMatrixBytes = 12.0;  // of an entry of the Hessian: value and row
 constexpr double kFactorBytes = 8.0;
 
 /// A run as it was begun, and where it will end.
@@ -135,19 +135,29 @@ class Predictor {
   /// To the coarsest tolerance, and to finer ones while there is time.
   void predict_tolerances(double coarsest_m, double own_m) {
     double left = (fixed() ? 1.0 - kShareAsItIs : 1.0) * options_.budget_s;
-    Begun best = begin(coarsest_m, left, nullptr);
-    result_.to_tolerance_basis = basis_of(best.pilot, best.tolerance_m);
-    for (double finer = 0.1 * coarsest_m; best.pilot.finished && finer >= 0.99 * finest(own_m); finer *= 0.1) {
-      left -= best.pilot.setup_s + best.pilot.wall_s;
-      if (!worth_a_pilot(left)) break;
-      Begun next = begin(finer, left, &best);
-      best = std::move(next);
-      if (best.pilot.finished) result_.to_tolerance_basis = basis_of(best.pilot, best.tolerance_m);
+    std::vector<Begun> known{begin(coarsest_m, left, nullptr)};
+    result_.to_tolerance_basis = basis_of(known[0].pilot, coarsest_m);
+    for (double finer = 0.1 * coarsest_m; finer >= 0.99 * finest(own_m); finer *= 0.1) {
+      const Pilot& last = known.back().pilot;
+      left -= last.setup_s + last.wall_s;
+      if (!last.finished || !worth_a_pilot(left)) break;
+      known.push_back(begin(finer, left, &known.back()));
+      if (known.back().pilot.finished) result_.to_tolerance_basis = basis_of(known.back().pilot, finer);
     }
-    for (const double tolerance : kTolerances_m) result_.to_tolerance.push_back({tolerance, scaled(best, tolerance)});
+    for (const double tolerance : kTolerances_m)
+      result_.to_tolerance.push_back({tolerance, scaled(nearest(known, tolerance), tolerance)});
     if (own_m == 0.0) return;
-    result_.as_it_is = scaled(best, own_m);
-    result_.as_it_is_basis = result_.to_tolerance_basis;
+    const Begun& own = nearest(known, own_m);
+    result_.as_it_is = scaled(own, own_m);
+    result_.as_it_is_basis = basis_of(own.pilot, own.tolerance_m);
+  }
+
+  /// The finest that is not finer; they are from coarse to fine, and the first is coarse enough for all.
+  static const Begun& nearest(const std::vector<Begun>& known, double tolerance_m) {
+    std::size_t found = 0;
+    for (std::size_t i = 1; i < known.size(); ++i)
+      if (known[i].tolerance_m >= 0.99 * tolerance_m) found = i;
+    return known[found];
   }
 
   static double finest(double own_m) {

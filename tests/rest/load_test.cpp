@@ -17,12 +17,13 @@ class RestLoadTest : public RestTest {
     return connection.read_answer();
   }
 
-  Connections ask(const std::string& target, int times) { return ask("GET", target, {}, times); }
+  Connections ask(const std::string& target, int times) { return ask("GET", target, "", times); }
   Connections ask(const std::string& method, const std::string& target, const std::string& body, int times) {
+    const HttpHeaders headers = body.empty() ? HttpHeaders() : HttpHeaders{{"Content-Type", "application/json"}};
     Connections connections;
     for (int i = 0; i < times; ++i) {
       connections.push_back(std::make_unique<HttpConnection>(http()));
-      connections.back()->send_request(method, target, body);
+      connections.back()->send_request(method, target, headers, body);
     }
     EXPECT_EQ(call("GET", "/healthz").status, 200U);  // accepted after those, so those have begun
     return connections;
