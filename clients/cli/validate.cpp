@@ -197,7 +197,7 @@ Command add_validate(CLI::App& root) {
   auto options = std::make_shared<ValidateOptions>();
   CLI::App* app = root.add_subcommand("validate", "Check a scene, predict its memory and time from its first moments");
   add_scene_options(*app, options->scene);
-  app->add_option("--budget", options->budget_s, "Wall time of the runs that the prediction rests on, default 2")
+  app->add_option("--budget", options->budget_s, "Wall time to try the scene in, default: 2")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 600.0).description(""));
   add_json_flag(*app, options->json);

@@ -88,6 +88,7 @@ TEST_F(CalibrationCache, WorksWhereNothingCanBeKept) {
 
 TEST_F(CalibrationCache, KeepsNothingThatIsNotSound) {
   EXPECT_EQ(kept(-1.0), -1.0);
+  EXPECT_TRUE(!fs::exists(cache_) || fs::is_empty(cache_));
   EXPECT_EQ(kept(1e-7), 1e-7);
 }
 
