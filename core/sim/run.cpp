@@ -67,9 +67,7 @@ class Run {
     summary_.bodies = body_motions(sim);
     summary_.effect_cost = sim.effect_costs();
     summary_.energy_j = sim.energies();
-    summary_.wall_by_phase_s = sim.wall_by_phase_s();
-    if (const Simulation* companion = control_->companion())
-      for (const auto& [phase, seconds] : companion->wall_by_phase_s()) summary_.wall_by_phase_s[phase] += seconds;
+    summary_.wall_by_phase_s = wall_by_phase(sim);
     summary_.linear_iterations = linear_solves(sim);
     if (const auto error = control_->error()) {
       summary_.error_estimate_m = error->max_position_m;
@@ -88,6 +86,13 @@ class Run {
   long linear_solves(const Simulation& sim) const {
     const Simulation* companion = control_->companion();
     return sim.linear_solves() + (companion != nullptr ? companion->linear_solves() : 0);
+  }
+
+  std::map<std::string, double> wall_by_phase(const Simulation& sim) const {
+    std::map<std::string, double> wall = sim.wall_by_phase_s();
+    if (const Simulation* companion = control_->companion())
+      for (const auto& [phase, seconds] : companion->wall_by_phase_s()) wall[phase] += seconds;
+    return wall;
   }
 
   std::optional<double> error_now() const {
@@ -163,6 +168,7 @@ class Run {
     p.residual = residual;
     p.error_estimate_m = error_now();
     p.wall_s = wall();
+    p.wall_by_phase_s = wall_by_phase(sim);
     hooks_.on_progress(p);
   }
 

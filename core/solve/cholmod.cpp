@@ -78,6 +78,12 @@ class CholmodSolver final : public LinearSolver {
     return x.allFinite() ? LinearStatus::ok : LinearStatus::not_positive_definite;
   }
 
+  std::optional<FactorSize> factor_size() const override {
+    if (factor_ == nullptr) return std::nullopt;
+    const double entries = factor_->is_super ? static_cast<double>(factor_->xsize) : common_.lnz;
+    return FactorSize{entries, common_.fl};
+  }
+
   std::string name() const override {
     return factorization_ == Factorization::supernodal ? "cholmod supernodal" : "cholmod simplicial";
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "solve/sparse_pattern.h"
@@ -9,6 +10,12 @@
 namespace slipstitch {
 
 enum class LinearStatus { ok, not_positive_definite, no_convergence, out_of_memory };
+
+/// What a Cholesky factor takes.
+struct FactorSize {
+  double entries = 0.0;     // stored
+  double operations = 0.0;  // floating-point, of one factorisation
+};
 
 /// Solves A x = b for symmetric positive definite A.
 class LinearSolver {
@@ -19,6 +26,8 @@ class LinearSolver {
   /// With the last successful factorisation.
   virtual LinearStatus solve(const VecX& b, VecX& x) = 0;
   virtual std::string name() const = 0;
+  /// By the last symbolic analysis; none before the first, or where nobody knows.
+  virtual std::optional<FactorSize> factor_size() const { return std::nullopt; }
 };
 
 /// Sparse Cholesky of SuiteSparse's CHOLMOD; its dense kernels use the threads that BLAS was started with.

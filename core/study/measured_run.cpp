@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "study/measured_run.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "study/heap.h"
+
 namespace slipstitch {
 namespace {
-
-double heap_in_use() {
-  const struct mallinfo2 info = mallinfo2();
-  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
-}
 
 class DifferenceSum {
  public:

@@ -2,17 +2,13 @@
 #include "study/study_runs.h"
 
 #include <algorithm>
-#include <chrono>
 
+#include "study/clock.h"
 #include "study/measured_run.h"
 #include "study/start_noise.h"
 
 namespace slipstitch {
 namespace {
-
-double steady_clock_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 /// Solves that a rung takes if no step is cut; of a tolerance, what steps of implicit Euler of 1/240 s take.
 double work_of(const Scene& scene, const Rung& rung) {

@@ -76,9 +76,19 @@ grpc::ServerUnaryReactor* SimJobsService::CreateSimJob(Context* context, const g
   }
   const jobs::Outcome<jobs::Job> job = create_job(store_, message);
   if (!job) return answer(context, grpc_status(job.error()));
-  bool own_buffer = false;
-  return answer(context,
-                grpc::SerializationTraits<v1::SimJob>::Serialize(message_from_job(*job), response, &own_buffer));
+  grpc::ServerUnaryReactor* reactor = context->DefaultReactor();
+  const auto finish = [reactor, response, answered = message_from_job(*job)](const v1::Prediction* prediction) {
+    v1::SimJob whole = answered;
+    if (prediction != nullptr) *whole.mutable_prediction() = *prediction;
+    bool own_buffer = false;
+    reactor->Finish(grpc::SerializationTraits<v1::SimJob>::Serialize(whole, response, &own_buffer));
+  };
+  const bool posted = wants_prediction(message) && predictions_.post([finish, scene = message.spec().scene()] {
+    const std::optional<v1::Prediction> prediction = predict_run(scene);
+    finish(prediction ? &*prediction : nullptr);
+  });
+  if (!posted) finish(nullptr);
+  return reactor;
 }
 
 grpc::ServerUnaryReactor* SimJobsService::GetSimJob(Context* context, const v1::GetSimJobRequest* request,

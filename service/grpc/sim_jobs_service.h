@@ -3,6 +3,7 @@
 
 #include <grpcpp/support/byte_buffer.h>
 
+#include "api/prediction.h"
 #include "grpc/stream_reactor.h"
 #include "slipstitch/v1/job.grpc.pb.h"
 
@@ -38,6 +39,7 @@ class SimJobsService final : public v1::SimJobs::WithRawCallbackMethod_CreateSim
   jobs::JobStore& store_;
   const int max_scene_mib_;
   const StreamOptions streams_;
+  PredictionLane predictions_;
 };
 
 }  // namespace slipstitch

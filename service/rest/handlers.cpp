@@ -6,6 +6,7 @@
 #include "api/create_job.h"
 #include "api/job_message.h"
 #include "api/list_jobs.h"
+#include "api/prediction.h"
 #include "google/protobuf/empty.pb.h"
 #include "jobs/worker_environment.h"
 #include "platform/version.h"
@@ -32,7 +33,17 @@ Response create(const std::string& body, const Service& service) {
     if (error.code == jobs::ErrorCode::invalid_argument) error.reason = "INVALID_FIELD";
     return error_response(error);
   }
-  return job_response(create_job(service.store, read.request, std::move(read.issues)));
+  const jobs::Outcome<jobs::Job> job = create_job(service.store, read.request, std::move(read.issues));
+  Response response = job_response(job);
+  if (!job || !wants_prediction(read.request)) return response;
+  response.fuller = [answered = message_from_job(*job),
+                     scene = std::move(*read.request.mutable_spec()->mutable_scene())] {
+    v1::SimJob message = answered;
+    if (std::optional<v1::Prediction> prediction = predict_run(scene))
+      *message.mutable_prediction() = std::move(*prediction);
+    return api_json(message) + "\n";
+  };
+  return response;
 }
 
 Response list(const Route& route, const Service& service) {

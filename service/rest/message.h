@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,7 @@ struct Response {
   std::shared_ptr<BodySource> source;   // instead of body, from after `first`
   Piece first;                          // of the source
   std::optional<std::uint64_t> length;  // of what the source gives [byte]; empty: sent in chunks
+  std::function<std::string()> fuller;  // makes a body that says more, but takes long; may be empty
 };
 
 Response text_response(std::string_view content_type, std::string body);

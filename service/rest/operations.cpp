@@ -16,7 +16,7 @@ std::vector<OperationInfo> make_operations() {
        "createSimJob",
        "Checks the spec, stores the job and answers with it, QUEUED. The same request_id with the same spec answers "
        "with "
-       "the job that exists. validate_only checks and stores nothing.",
+       "the job that exists. validate_only checks, stores nothing, and predicts what the run takes.",
        {},
        "slipstitch.v1.CreateSimJobRequest",
        {kJson},

@@ -159,6 +159,7 @@ void RestServer::stop(double grace_s) {
   });
   state.thread.join();
   state.shared->work.join();
+  state.shared->predictions.stop();
   state.shared->lookups.join();
   state.shared->feeds.join();
   state.shared->exports.join();

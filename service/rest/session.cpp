@@ -151,9 +151,18 @@ void Session::run() {
   asio::thread_pool& lane = route_->operation == Operation::create_job ? shared_->work : shared_->lookups;
   asio::post(lane, [self = shared_from_this(), body = std::move(parser_->get().body())] {
     Response response = handle(*self->route_, body, self->shared_->service);
-    asio::post(self->shared_->io, [self, response = std::move(response)]() mutable {
-      if (!self->closed_) self->respond(std::move(response));
+    const auto fuller = std::move(response.fuller);
+    const bool posted = fuller && self->shared_->predictions.post([self, response, fuller]() mutable {
+      response.body = fuller();
+      self->respond_later(std::move(response));
     });
+    if (!posted) self->respond_later(std::move(response));
+  });
+}
+
+void Session::respond_later(Response response) {
+  asio::post(shared_->io, [self = shared_from_this(), response = std::move(response)]() mutable {
+    if (!self->closed_) self->respond(std::move(response));
   });
 }
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>  // before asio, which needs it and does not include it
 
+#include "api/prediction.h"
 #include "rest/handlers.h"
 #include "rest/http_parser.h"
 #include "rest/rest_server.h"
@@ -37,6 +38,7 @@ struct Shared {
   std::size_t export_bytes = 0;                  // of those being sent
   bool stopping = false;
   boost::asio::io_context io{1};
+  PredictionLane predictions;
   boost::asio::thread_pool lookups{1}, work{1}, feeds{1}, exports{1};
 };
 
@@ -65,6 +67,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void on_read_error(const ErrorCode& error);
   void run();
   void respond(Response response);
+  void respond_later(Response response);  // from any thread
   void respond_and_close(const HttpError& error);
   void finish_response();
   void linger();

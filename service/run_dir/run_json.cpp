@@ -219,6 +219,7 @@ void fields(auto& visit, auto& info) requires std::is_same_v<std::remove_cvref_t
   visit("update_time", info.update_time);
   visit.if_there("share_done", info.share_done);
   visit.if_there("doing", info.doing);
+  visit.if_there("wall_by_phase_s", progress.wall_by_phase_s);
 }
 
 void fields(auto& visit, auto& worker) requires std::is_same_v<std::remove_cvref_t<decltype(worker)>, WorkerInfo> {

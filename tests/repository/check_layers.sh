@@ -19,13 +19,14 @@ formats: CORE
 report: CORE
 run_dir: CORE scene_io formats platform
 studies: CORE report run_dir
+prediction: CORE run_dir platform
 jobs: CORE scene_io formats run_dir platform
-api: CORE scene_io formats run_dir platform jobs proto
-grpc: CORE scene_io formats run_dir platform jobs api proto stubs
-rest: CORE scene_io formats run_dir platform jobs api proto
+api: CORE scene_io formats run_dir platform prediction jobs proto
+grpc: CORE scene_io formats run_dir platform prediction jobs api proto stubs
+rest: CORE scene_io formats run_dir platform prediction jobs api proto
 worker: CORE report scene_io formats run_dir studies platform jobs proto
-server: CORE scene_io formats run_dir platform jobs api grpc rest worker proto stubs
-cli: CORE report scene_io formats run_dir studies platform jobs grpc server proto stubs
+server: CORE scene_io formats run_dir platform prediction jobs api grpc rest worker proto stubs
+cli: CORE report scene_io formats run_dir studies prediction platform jobs grpc server proto stubs
 TABLE
 core='math solve model collide force sim study'
 
@@ -33,8 +34,8 @@ core='math solve model collide force sim study'
 read -r -d '' foreign <<'FOREIGN' || true
 ^(grpc|grpcpp)/ grpc server cli
 ^google/protobuf/ scene_io api grpc rest worker server cli
-^nlohmann/ scene_io formats run_dir studies jobs api grpc rest worker server cli
-^(fstream|iostream|filesystem|unistd\.h|fcntl\.h)$ platform scene_io formats run_dir studies jobs api grpc rest worker server cli
+^nlohmann/ scene_io formats run_dir studies prediction jobs api grpc rest worker server cli
+^(fstream|iostream|filesystem|unistd\.h|fcntl\.h)$ platform scene_io formats run_dir studies prediction jobs api grpc rest worker server cli
 FOREIGN
 
 find core service clients -name '*.h' -o -name '*.cpp' 2>/dev/null | sort |

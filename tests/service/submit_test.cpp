@@ -31,6 +31,7 @@ TEST_F(SubmitTest, RunsASceneToItsEnd) {
   EXPECT_EQ(ended.state(), v1::SimJob::SUCCEEDED) << ended.DebugString();
   EXPECT_FALSE(ended.has_error());
   EXPECT_EQ(ended.progress().frames(), 31U);
+  EXPECT_GT(ended.progress().wall_by_phase_s().at("assembly"), 0.0);
   EXPECT_NE(ended.summary_json().find("\"newton_iterations\""), std::string::npos);
   EXPECT_GE(ended.end_time().seconds(), ended.create_time().seconds());
   EXPECT_EQ(watch(created.name()).size(), 1U) << "an ended job is told once";
@@ -50,6 +51,26 @@ TEST_F(SubmitTest, ValidatesWithoutStoring) {
   EXPECT_TRUE(jobs_->CreateSimJob(&context, request, &job).ok());
   EXPECT_EQ(job.name(), "");
   EXPECT_TRUE(list_names().empty());
+  ASSERT_TRUE(job.has_prediction());
+  EXPECT_GT(job.prediction().unknowns(), 0U);
+  EXPECT_GT(job.prediction().memory_bytes(), 1'000'000U);
+  EXPECT_GE(job.prediction().as_it_is().steps(), 10U);
+  EXPECT_GT(job.prediction().as_it_is().wall_s(), 0.0);
+  EXPECT_NE(job.prediction().as_it_is().basis(), v1::PredictedRun::BASIS_UNSPECIFIED);
+  ASSERT_EQ(job.prediction().to_tolerance_size(), 3);
+  EXPECT_EQ(job.prediction().to_tolerance(1).tolerance_m(), 1e-4);
+  EXPECT_FALSE(must_create(swing(3, 0.1, 10.0, 1e-2)).has_prediction());
+}
+
+TEST_F(SubmitTest, PredictsNoStudies) {
+  v1::CreateSimJobRequest request;
+  *request.mutable_spec()->mutable_scene() = swing(3, 0.1, 10.0, 1e-2);
+  request.mutable_spec()->mutable_study();
+  request.set_validate_only(true);
+  grpc::ClientContext context;
+  v1::SimJob job;
+  EXPECT_TRUE(jobs_->CreateSimJob(&context, request, &job).ok());
+  EXPECT_FALSE(job.has_prediction());
 }
 
 TEST_F(SubmitTest, CancelsARunningJobAndKeepsItsFrames) {

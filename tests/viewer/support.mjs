@@ -27,7 +27,8 @@ function chromiumPath() {
 export async function startServer(options = []) {
   const data = mkdtempSync(join(tmpdir(), 'slipstitch-viewer-'));
   const child = spawn(join(binaries, 'slipstitchd'), ['--http', '127.0.0.1:0', '--grpc', '127.0.0.1:0', '--data-dir', data,
-    '--viewer', viewer, '--stop-jobs', ...options], { stdio: ['ignore', 'pipe', 'inherit'] });
+    '--viewer', viewer, '--stop-jobs', ...options],
+    { stdio: ['ignore', 'pipe', 'inherit'], env: { ...process.env, XDG_CACHE_HOME: join(binaries, '../tests/cache') } });
   const exited = new Promise((done) => child.once('exit', (code, signal) => done(signal ?? code)));
   const ready = new Promise((done, failed) => {
     createInterface({ input: child.stdout }).on('line', (line) => {
