@@ -136,7 +136,8 @@ TEST(RunJson, OfAFabricThatWasNotMadeNothingIsTold) {
   summary.status = RunStatus::cancelled;
   summary.wall_s = 2.0;
   const auto json = to_json(summary);
-  for (const char* key : {"loops", "nodes", "dofs", "nonzeros", "effects", "residual_unit", "linear_solver", "state_hash"})
+  for (const char* key :
+       {"loops", "nodes", "dofs", "nonzeros", "effects", "residual_unit", "linear_solver", "state_hash"})
     EXPECT_TRUE(json[key].is_null()) << key;
   EXPECT_EQ(json["wall_s"], 2.0);
   summary.nodes = 5;

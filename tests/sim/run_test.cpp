@@ -89,7 +89,7 @@ TEST(Run, TellsThePlannedTimesOfFramesAndTheEnd) {
   Scene scene = short_run();
   scene.duration_s = 0.3;
   scene.frames_per_s = 30.0;
-  scene.numerics = FixedNumerics{.time_step_s = 0.007};
+  scene.numerics = AccuracyNumerics{.tolerance_m = 1e-4};
   std::vector<double> frames, reports;
   double told = 0.0;
   RunHooks hooks;
