@@ -74,7 +74,7 @@ class Run {
       summary_.predictable_until_s = error->lost_at_s;
     }
     summary_.state_hash = state_hash(sim.state().q);
-    summary_.sim_time_s = sim.state().t;
+    summary_.sim_time_s = time(sim);
     return finish(status, summary_.message);
   }
 
@@ -131,17 +131,24 @@ class Run {
     trace_bodies(sim);
   }
 
+  /// The time of its state; where a frame's planned time is reached but for rounding, that.
+  double time(const Simulation& sim) const {
+    return std::abs(sim.state().t - frame_end_) <= rounding() ? frame_end_ : sim.state().t;
+  }
+
+  double rounding() const { return 1e-9 / scene_.frames_per_s; }
+
   void emit(const Simulation& sim) {
-    if (hooks_.on_frame) hooks_.on_frame({summary_.frames, sim.state().t, sim.state().q});
+    if (hooks_.on_frame) hooks_.on_frame({summary_.frames, time(sim), sim.state().q});
     if (hooks_.on_frame_report) hooks_.on_frame_report(report(sim));
     ++summary_.frames;
-    last_emitted_ = sim.state().t;
+    last_emitted_ = time(sim);
   }
 
   FrameReport report(const Simulation& sim) const {
     FrameReport report;
     report.frame = summary_.frames;
-    report.t = sim.state().t;
+    report.t = time(sim);
     report.steps = summary_.steps;
     report.rejected_steps = summary_.rejected_steps;
     report.newton_iterations = summary_.newton_iterations;
@@ -158,7 +165,7 @@ class Run {
   void progress(const Simulation& sim, double h, double residual) const {
     if (!hooks_.on_progress) return;
     Progress p;
-    p.t = sim.state().t;
+    p.t = time(sim);
     p.duration_s = scene_.duration_s;
     p.frames = summary_.frames;
     p.num_frames = num_frames_;
@@ -176,22 +183,23 @@ class Run {
     if (!hooks_.on_bodies || sim.model().bodies.empty()) return;
     std::vector<Vec3> centres;
     for (const BodyMotion& body : body_motions(sim)) centres.push_back(body.position_m);
-    hooks_.on_bodies(sim.state().t, centres);
+    hooks_.on_bodies(time(sim), centres);
   }
 
   void measure(const Simulation& sim, HandleForces& forces) const {
     if (forces.empty()) return;
     const std::vector<Vec3>& now = forces.observe(sim);
-    if (hooks_.on_reactions) hooks_.on_reactions(sim.state().t, now);
+    if (hooks_.on_reactions) hooks_.on_reactions(time(sim), now);
   }
 
   RunStatus march(Simulation& sim, Monitor& monitor, HandleForces& forces) {
     for (int frame = 1; frame < num_frames_; ++frame) {
       const double end = std::min(frame / scene_.frames_per_s, scene_.duration_s);
+      frame_end_ = end;
       const RunStatus status = advance_to(sim, monitor, forces, end);
       if (status != RunStatus::succeeded) {
         // The last good state, between the frames that were planned.
-        if (status == RunStatus::failed && sim.state().t > last_emitted_) emit(sim);
+        if (status == RunStatus::failed && sim.state().t > last_emitted_ + rounding()) emit(sim);
         return status;
       }
       emit(sim);
@@ -219,7 +227,7 @@ class Run {
   }
 
   RunStatus advance_to(Simulation& sim, Monitor& monitor, HandleForces& forces, double end) {
-    while (end - sim.state().t > 1e-9 / scene_.frames_per_s) {
+    while (end - sim.state().t > rounding()) {
       const Attempt attempt = control_->attempt(sim, end, hooks_.should_stop);
       const StepReport& report = attempt.report;
       count(report.newton);
@@ -255,6 +263,7 @@ class Run {
   double last_residual_ = 0.0;
   double last_step_ = 0.0;     // accepted [s]
   double last_emitted_ = 0.0;  // time of the last frame [s]
+  double frame_end_ = 0.0;     // planned, of the frame it is on its way to [s]
 };
 
 }  // namespace

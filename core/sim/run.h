@@ -35,6 +35,7 @@ struct Progress {
   double wall_s = 0.0;
   std::map<std::string, double> wall_by_phase_s = {};
   std::string doing = {};  // for people, before the simulation itself; empty: that
+  double before_s = 0.0;   // of wall_s, before the simulation itself
 };
 
 struct RunHooks {
@@ -60,12 +61,12 @@ struct RunSummary {
   RunStatus status = RunStatus::failed;
   std::string message;  // why it failed, naming stitch, effect and time where known
   std::string scene;
-  int loops = 0, nodes = 0, dofs = 0;
-  long nonzeros = 0;  // of the Hessian's lower triangle, largest of start and end
+  int loops = 0, nodes = 0, dofs = 0;  // 0 nodes: it ended before the fabric was made
+  long nonzeros = 0;                   // of the Hessian's lower triangle, largest of start and end
   std::vector<std::string> effects;
   std::optional<EffectChoice> effect_choice;  // of a scene that left it to us
   EffectCosts effect_cost;                    // by force term; a term whose effect is off is absent
-  double sim_time_s = 0.0, wall_s = 0.0;
+  double sim_time_s = 0.0, wall_s = 0.0;      // wall time with that of the choice of effects
   int frames = 0;
   long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0, factorizations = 0;
   long cg_iterations = 0;    // of conjugate gradients, each with one of the linear_iterations

@@ -224,11 +224,12 @@ ChosenScene choose_effects(const Scene& scene, int threads, const std::function<
 RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
   if (!scene.effects.automatic) return run(scene, threads, hooks);
   const auto start = std::chrono::steady_clock::now();
+  const auto wall = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
   ChosenScene chosen = choose_effects(scene, threads, hooks.should_stop, [&](const std::string& what) {
     Progress progress;
     progress.duration_s = scene.duration_s;
     progress.num_frames = planned_frames(scene.duration_s, scene.frames_per_s);
-    progress.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    progress.wall_s = progress.before_s = wall();
     progress.doing = what;
     if (hooks.on_progress) hooks.on_progress(progress);
   });
@@ -237,9 +238,20 @@ RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
     summary.scene = scene.name;
     summary.status = RunStatus::cancelled;
     summary.threads = threads;
+    summary.wall_s = wall();
     return summary;
   }
-  summary = run(chosen.scene, threads, hooks);
+  const double before_s = wall();
+  RunHooks later = hooks;
+  if (hooks.on_progress) {
+    later.on_progress = [&](Progress progress) {
+      progress.before_s = before_s;
+      progress.wall_s += before_s;
+      hooks.on_progress(progress);
+    };
+  }
+  summary = run(chosen.scene, threads, later);
+  summary.wall_s += before_s;
   summary.effect_choice = std::move(chosen.choice);
   return summary;
 }

@@ -31,7 +31,7 @@ ChosenScene choose_effects(const Scene& scene, int threads, const std::function<
                            const std::function<void(const std::string& what)>& on_trial = {});
 
 /// run(), after choose_effects() where the scene asks for it; the summary has the choice. Each run of the choice is a
-/// progress of its own, in which nothing is simulated yet.
+/// progress of its own, in which nothing is simulated yet. Wall times are of both together.
 RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks);
 
 }  // namespace slipstitch

@@ -121,6 +121,16 @@ HttpError unsupported_media_type(const std::string& type) {
            {}}};
 }
 
+HttpError unsupported_encoding(const std::string& encoding) {
+  return {415,
+          {jobs::ErrorCode::invalid_argument,
+           "UNSUPPORTED_MEDIA_TYPE",
+           "the Content-Encoding is '" + shown(encoding) + "', expected none",
+           {},
+           {},
+           {}}};
+}
+
 HttpError wrong_host(const std::string& host) {
   return {421,
           {jobs::ErrorCode::permission_denied,

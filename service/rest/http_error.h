@@ -31,6 +31,7 @@ HttpError wrong_parameter(const std::string& name, const std::string& value, con
 HttpError no_such_path(const std::string& path);
 HttpError method_not_allowed(const std::string& method, const std::string& allowed);
 HttpError unsupported_media_type(const std::string& type);
+HttpError unsupported_encoding(const std::string& encoding);
 HttpError wrong_host(const std::string& host);
 HttpError wrong_origin(const std::string& origin);
 HttpError headers_too_big(std::size_t limit);

@@ -162,6 +162,9 @@ std::optional<HttpError> check_body(const RequestHead& request, const OperationI
     if (request.has_body) return malformed_request(request.method + " has no body");
     return std::nullopt;
   }
+  const std::string* encoding = request.find("content-encoding");
+  if (request.has_body && encoding != nullptr && lower_case(*encoding) != "identity")
+    return unsupported_encoding(*encoding);
   if ((info.request.empty() && !request.has_body) || is_json(request)) return std::nullopt;
   const std::string* type = request.find("content-type");
   return unsupported_media_type(type == nullptr ? "" : *type);

@@ -66,6 +66,10 @@ class JsonWriter {
   void if_there(const char* key, const T& value) {
     (*this)(key, value);
   }
+  template <class T>
+  void if_known(const char* key, const T& value, bool known) {
+    json_[key] = known ? as_json(value) : Json(nullptr);
+  }
   Json take() { return std::move(json_); }
 
  private:
@@ -123,6 +127,11 @@ class JsonReader {
   template <class T>
   void if_there(const char* key, T& value) {
     if (json_.contains(key)) (*this)(key, value);
+  }
+  template <class T>
+  void if_known(const char* key, T& value, bool) {
+    const auto found = json_.find(key);
+    if (found == json_.end() || !found->is_null()) (*this)(key, value);
   }
   const std::string& error() const { return error_; }
 
@@ -230,14 +239,15 @@ void fields(auto& visit, auto& worker) requires std::is_same_v<std::remove_cvref
 }
 
 void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvref_t<decltype(summary)>, RunSummary> {
+  const bool made = summary.nodes > 0;  // the fabric, and with it all that is told of it
   visit("status", summary.status);
   visit("message", summary.message);
   visit("scene", summary.scene);
-  visit("loops", summary.loops);
-  visit("nodes", summary.nodes);
-  visit("dofs", summary.dofs);
-  visit("nonzeros", summary.nonzeros);
-  visit("effects", summary.effects);
+  visit.if_known("loops", summary.loops, made);
+  visit.if_known("nodes", summary.nodes, made);
+  visit.if_known("dofs", summary.dofs, made);
+  visit.if_known("nonzeros", summary.nonzeros, made);
+  visit.if_known("effects", summary.effects, made);
   visit("effect_choice", summary.effect_choice);
   visit("effect_cost", summary.effect_cost);
   visit("sim_time_s", summary.sim_time_s);
@@ -253,7 +263,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("wall_by_phase_s", summary.wall_by_phase_s);
   visit("energy_j", summary.energy_j);
   visit("residual", summary.residual);
-  visit("residual_unit", summary.residual_unit);
+  visit.if_known("residual_unit", summary.residual_unit, made);
   visit("error_estimate_m", summary.error_estimate_m);
   visit("predictable_until_s", summary.predictable_until_s);
   visit("min_arc_gap_ratio", summary.min_arc_gap_ratio);
@@ -268,8 +278,8 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("handles", summary.handles);
   visit("bodies", summary.bodies);
   visit("peak_memory_bytes", summary.peak_memory_bytes);
-  visit("state_hash", summary.state_hash);
-  visit("linear_solver", summary.linear_solver);
+  visit.if_known("state_hash", summary.state_hash, made);
+  visit.if_known("linear_solver", summary.linear_solver, made);
   visit("blas", summary.blas);
   visit("threads", summary.threads);
   visit("version", summary.version);
@@ -362,7 +372,7 @@ ProgressInfo progress_info(const Progress& progress) {
 
 std::optional<double> estimate_eta(const Progress& progress) {
   if (!(progress.t > 0.0) || !(progress.duration_s >= progress.t)) return std::nullopt;
-  return progress.wall_s * (progress.duration_s - progress.t) / progress.t;
+  return (progress.wall_s - progress.before_s) * (progress.duration_s - progress.t) / progress.t;
 }
 
 }  // namespace slipstitch

@@ -27,8 +27,8 @@ struct RunRecorder::State {
   std::optional<FrameLogWriter> log;
   std::optional<HistoryCsv> history;
   std::optional<VectorCsv> reactions, bodies;
-  std::optional<Progress> unwritten;
-  std::string doing;
+  std::optional<Progress> last;
+  bool unwritten = false;  // that
   bool cancelled = false;
   IoError error;  // the first
 
@@ -68,17 +68,17 @@ struct RunRecorder::State {
   }
 
   void record_progress(const Progress& progress) {
-    const bool news = progress.doing != doing;  // the next may come in minutes
-    unwritten = progress;
-    doing = progress.doing;
+    const bool news = progress.doing != (last ? last->doing : std::string());  // the next may come in minutes
+    last = progress;
+    unwritten = true;
     if (progress_due.due() || news) flush_progress();
     if (options.on_progress) options.on_progress(progress);
   }
 
   void flush_progress() {
     if (!unwritten) return;
-    note(write_progress(dir, progress_info(*unwritten)));
-    unwritten.reset();
+    note(write_progress(dir, progress_info(*last)));
+    unwritten = false;
   }
 
   bool should_stop() {
@@ -115,6 +115,10 @@ RunHooks RunRecorder::hooks() {
 Result<RunSummary> RunRecorder::finish(RunSummary summary) {
   State& state = *state_;
   if (state.log && state.error.empty()) state.note(state.log->append_end(summary.sim_time_s));
+  if (state.last) {
+    state.last->wall_s = summary.wall_s;  // what it took as a whole
+    state.unwritten = true;
+  }
   state.flush_progress();
   if (!state.error.empty()) {
     summary.status = RunStatus::failed;

@@ -97,6 +97,11 @@ TEST(Route, KnowsMethodsAndTypes) {
   EXPECT_EQ(must_refuse("POST", "/v1/simJobs", true, {{"content-type", "application/jsonx"}}).status, 415U);
   EXPECT_EQ(must_refuse("POST", "/v1/simJobs/x:cancel", true, {{"content-type", "text/plain"}}).status, 415U);
   must_route("POST", "/v1/simJobs", true, {{"content-type", "Application/JSON ; charset=utf-8"}});
+  const HttpError packed =
+      must_refuse("POST", "/v1/simJobs", true, {{"content-type", "application/json"}, {"content-encoding", "gzip"}});
+  EXPECT_EQ(packed.status, 415U);
+  EXPECT_EQ(packed.error.message, "the Content-Encoding is 'gzip', expected none");
+  must_route("POST", "/v1/simJobs", true, {{"content-type", "application/json"}, {"content-encoding", "Identity"}});
   must_route("POST", "/v1/simJobs/x:cancel");
   EXPECT_EQ(must_refuse("DELETE", "/v1/simJobs/x", true).status, 400U);
 }

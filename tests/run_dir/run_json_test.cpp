@@ -131,6 +131,19 @@ TEST(RunJson, NotMeasuredIsNullAndZeroIsZero) {
   EXPECT_TRUE(to_json(summary)["residual"].is_null());
 }
 
+TEST(RunJson, OfAFabricThatWasNotMadeNothingIsTold) {
+  RunSummary summary;
+  summary.status = RunStatus::cancelled;
+  summary.wall_s = 2.0;
+  const auto json = to_json(summary);
+  for (const char* key :
+       {"loops", "nodes", "dofs", "nonzeros", "effects", "residual_unit", "linear_solver", "state_hash"})
+    EXPECT_TRUE(json[key].is_null()) << key;
+  EXPECT_EQ(json["wall_s"], 2.0);
+  summary.nodes = 5;
+  EXPECT_EQ(to_json(summary)["loops"], 0) << "of bare yarns";
+}
+
 TEST(RunJson, SummaryComesBack) {
   for (const RunSummary& summary : {full_summary(), RunSummary{}}) {
     const Result<RunSummary> read = summary_from_json(to_json(summary).dump());
@@ -234,6 +247,8 @@ TEST(RunJson, EtaFollowsTheShareOfSimulatedTime) {
   EXPECT_FALSE(estimate_eta(progress));
   progress.t = 0.5;
   EXPECT_EQ(estimate_eta(progress), 9.0);
+  progress.before_s = 2.0;  // what came before the simulation does not come again
+  EXPECT_EQ(estimate_eta(progress), 3.0);
 }
 
 TEST(RunJson, TimesAreRfc3339) {

@@ -92,11 +92,14 @@ TEST(RunRecorder, WritesAWholeRun) {
   EXPECT_EQ(good_prefix(reader), 3);
   EXPECT_EQ(reader.state(), LogState::growing);
   EXPECT_FALSE(has_summary(dir));
-  const Result<RunSummary> written = recorder.finish(succeeded());
+  RunSummary summary = succeeded();
+  summary.wall_s = 7.0;
+  const Result<RunSummary> written = recorder.finish(summary);
   ASSERT_TRUE(written) << written.error;
   EXPECT_EQ(written->status, RunStatus::succeeded);
   EXPECT_EQ(reader.poll(), LogState::ended);
   EXPECT_EQ(read_progress(dir)->progress.t, 1.5);
+  EXPECT_EQ(read_progress(dir)->progress.wall_s, 7.0) << "of the whole run";
   EXPECT_EQ(read_summary(dir)->frames, 3);
 }
 

@@ -85,6 +85,26 @@ TEST(Run, TakesAStepWrittenToSixDigitsForTheOneMeant) {
   EXPECT_EQ(run(scene, 1, {}).steps, 12);                     // four a frame, three frames
 }
 
+TEST(Run, TellsThePlannedTimesOfFramesAndTheEnd) {
+  Scene scene = short_run();
+  scene.duration_s = 0.3;
+  scene.frames_per_s = 30.0;
+  scene.numerics = AccuracyNumerics{.tolerance_m = 1e-4};
+  std::vector<double> frames, reports;
+  double told = 0.0;
+  RunHooks hooks;
+  hooks.on_frame = [&](const Frame& frame) { frames.push_back(frame.t); };
+  hooks.on_frame_report = [&](const FrameReport& report) { reports.push_back(report.t); };
+  hooks.on_progress = [&](const Progress& progress) { told = progress.t; };
+  const RunSummary summary = run(scene, 1, hooks);
+  std::vector<double> planned;
+  for (int frame = 0; frame < 10; ++frame) planned.push_back(std::min(frame / 30.0, 0.3));
+  EXPECT_EQ(frames, planned);
+  EXPECT_EQ(reports, planned);
+  EXPECT_EQ(told, 0.3);
+  EXPECT_EQ(summary.sim_time_s, 0.3);
+}
+
 TEST(Run, MeasuresNothingWithoutAStep) {
   Scene scene = crossed_yarns();
   scene.duration_s = 0.0;

@@ -125,10 +125,12 @@ TEST(ChooseEffects, TellsWhatItTriesBeforeTheRun) {
   const Scene scene = falling_yarn();
   std::vector<std::string> tried;
   std::size_t told = 0;
+  Progress last;
   RunHooks hooks;
   hooks.on_progress = [&](const Progress& progress) {
     EXPECT_EQ(progress.duration_s, scene.duration_s);
     EXPECT_GT(progress.num_frames, 1);
+    EXPECT_GE(progress.wall_s, last.wall_s) << "it does not begin again";
     if (progress.doing.empty()) {
       EXPECT_GT(progress.t, 0.0);
     } else {
@@ -136,8 +138,14 @@ TEST(ChooseEffects, TellsWhatItTriesBeforeTheRun) {
       ++told;
       if (tried.empty() || tried.back() != progress.doing) tried.push_back(progress.doing);
     }
+    last = progress;
   };
-  ASSERT_EQ(run_scene(scene, 1, hooks).status, RunStatus::succeeded);
+  const RunSummary summary = run_scene(scene, 1, hooks);
+  ASSERT_EQ(summary.status, RunStatus::succeeded);
+  ASSERT_TRUE(summary.effect_choice);
+  EXPECT_GE(last.before_s, summary.effect_choice->wall_s);
+  EXPECT_GT(last.wall_s, last.before_s);
+  EXPECT_GE(summary.wall_s, last.wall_s) << "of choice and simulation together";
   ASSERT_GE(tried.size(), 3U);
   EXPECT_GT(told, 3 * tried.size()) << "after every step of a trial too";
   EXPECT_EQ(tried[0].find("choosing the effects: the first "), 0U) << tried[0];
@@ -147,9 +155,14 @@ TEST(ChooseEffects, TellsWhatItTriesBeforeTheRun) {
 
 TEST(ChooseEffects, CanBeCancelled) {
   RunHooks hooks;
-  hooks.should_stop = [] { return true; };
+  double wall_s = 0.0;
+  hooks.on_progress = [&](const Progress& progress) { wall_s = progress.wall_s; };
+  hooks.should_stop = [&] { return wall_s > 0.0; };
   const RunSummary summary = run_scene(falling_yarn(), 1, hooks);
   EXPECT_EQ(summary.status, RunStatus::cancelled);
+  EXPECT_GT(wall_s, 0.0);
+  EXPECT_GE(summary.wall_s, wall_s);
+  EXPECT_EQ(summary.nodes, 0);
 }
 
 }  // namespace

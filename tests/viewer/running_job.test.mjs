@@ -181,3 +181,24 @@ test('a job that is not there is said to be missing', async () => {
   await page.locator('.error-box:visible').waitFor();
   assert.match(await page.textContent('.error-box'), /nothing/);
 });
+
+test('of a job that was cancelled while its effects were chosen only what is known is told', async () => {
+  const { page, faults, close } = await openPage(browser);
+  const chosen = await submit(server.address, { ...endlessScene, name: 'chosen', effects: { auto: {} } });
+  await page.goto(`${server.address}/#/jobs/${chosen}`);
+  await untilProgress(page, /^choosing the effects/);
+  await page.getByText('Plots appear once the run has written its history.').waitFor();
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await untilState(page, 'Cancelled');
+  await page.getByText('There is nothing to plot: the job ended before its second frame.').waitFor();
+  const run = page.getByRole('region', { name: 'Run' });
+  await run.getByText('Wall time').waitFor();
+  const { progress, summary_json: summary } = await getJob(server.address, chosen);
+  assert.equal(JSON.parse(summary).wall_s, progress.wall_s);
+  assert.ok(progress.wall_s > 0);
+  const names = await run.locator('dt').allTextContents();
+  for (const unknown of ['Loops', 'Nodes', 'Unknowns', 'Steps', 'Newton iterations', 'Effects', 'Solver']) assert.ok(!names.includes(unknown), names.join());
+  await shoot(page, 'job-cancelled-early', { fullPage: true });
+  assert.deepEqual(faults, []);
+  await close();
+});

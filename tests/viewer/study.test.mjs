@@ -21,13 +21,28 @@ test('a study is a choice beside Submit', async () => {
   const { page } = view;
   const long = await submit(server.address, { ...swing, name: 'long', duration_s: 1000 }, { study: {} });  // the next one waits for it
   await page.goto(server.address);
+  const budget = page.getByLabel('Budget in s');
+  assert.equal(await budget.isVisible(), false, 'a simulation has none');
   await page.getByLabel('Work', { exact: true }).selectOption('quick study');
+  await budget.fill('-1');
+  await page.getByRole('button', { name: 'Submit' }).click();
+  await page.getByRole('alert', { name: 'Problems' }).getByText(/^Budget in s: /).waitFor();
+  await budget.fill('77.5');
+  await page.getByLabel('Threads').fill('2');
   await page.getByRole('button', { name: 'Submit' }).click();
   await page.waitForURL(/#\/jobs\//);
   await untilState(page, 'Queued');
   const id = page.url().replace(/.*\//, '');
-  assert.deepEqual((await getJob(server.address, id)).study, { quick: true, budget_s: 0 });
+  const { study, threads } = await getJob(server.address, id);
+  assert.deepEqual([study, threads], [{ quick: true, budget_s: 77.5 }, 2]);
   assert.equal(await page.textContent('.job-work'), 'Quick study');
+  await page.evaluate(() => sessionStorage.clear());
+  await page.getByRole('link', { name: 'Edit a copy' }).click();
+  await page.waitForURL(/#\/new$/);
+  const asked = async () => [await page.getByLabel('Work', { exact: true }).inputValue(), await budget.inputValue(), await page.getByLabel('Threads').inputValue()];
+  assert.deepEqual(await asked(), ['quick study', '77.5', '2']);
+  await page.reload();
+  assert.deepEqual(await asked(), ['quick study', '77.5', '2']);
 
   await page.goto(`${server.address}/#/jobs/${long}`);
   await untilProgress(page, /^\d+ % · \S.* · (time left not known yet|.* left)$/);
@@ -74,6 +89,26 @@ test('its page shows plots and leads to the report, which runs no scripts', asyn
   assert.equal(await forged.textContent('h1'), 'as it was');
   await forged.close();
   faults.length = 0;  // the policy stopped that
+});
+
+test('its report is asked for until there is an answer', async () => {
+  const { page, faults } = view;
+  const { jobs } = await (await fetch(`${server.address}/v1/simJobs`)).json();
+  const id = jobs.find((job) => job.scene_name === 'swing').name.replace(/.*\//, '');
+  const files = `${server.address}/v1/simJobs/${id}/artefacts`;
+  const asked = { times: 0 };
+  await page.goto(`${server.address}/#/jobs`);
+  await page.route(files, (route) => {
+    asked.times += 1;
+    return asked.times < 3 ? route.abort() : route.continue();
+  });
+  const said = page.locator('[aria-label="Study"] .note');
+  await page.goto(`${server.address}/#/jobs/${id}`);
+  await said.getByText('Asking for the report …').waitFor();
+  await page.getByRole('link', { name: 'Open the report' }).waitFor();
+  assert.ok(asked.times >= 3, String(asked.times));
+  await page.unroute(files);
+  assert.deepEqual(faults, []);
 });
 
 test('one that compared nothing has no empty plots, and is a study again when copied', async () => {

@@ -204,12 +204,34 @@ test('plots, picture, history and frames are there to take', async () => {
 test('a copy of the job is edited from its own scene', async () => {
   const { page, faults } = view;
   await page.evaluate(() => sessionStorage.clear());  // or the draft that it came from would still be there
+  const job = page.url();
   await page.getByRole('link', { name: 'Edit a copy' }).click();
-  await page.waitForURL(/#\/new\//);
   await page.waitForFunction(() => document.querySelector('#field-duration_s')?.value === '0.2');
   const rows = await rowsOf(page);
   assert.deepEqual([rows.length, rows[5], rows[2]], [6, 'KPKKKK', 'KKPPPK']);
   await page.getByRole('button', { name: 'Check' }).click();
   await page.getByText('The scene can be run.').waitFor();
+  assert.equal(await page.getByRole('button', { name: 'Bring that back' }).count(), 0, 'nothing was edited before');
+
+  // What was changed in it is there after a reload, and after Back from its job.
+  const name = page.locator('#field-name');
+  const isNamed = (text) => page.waitForFunction((wanted) => document.querySelector('#field-name')?.value === wanted, text);
+  await name.fill('changed copy');
+  await name.blur();
+  await page.reload();
+  await isNamed('changed copy');
+  await page.getByRole('button', { name: 'Submit' }).click();
+  await page.waitForURL(/#\/jobs\//);
+  await page.goBack();
+  await isNamed('changed copy');
+
+  // Another copy takes its place, but it can be brought back.
+  await page.goto(job);
+  await page.getByRole('link', { name: 'Edit a copy' }).click();
+  await page.getByText('This copy took the place of the scene that was edited here.').waitFor();
+  assert.notEqual(await name.inputValue(), 'changed copy');
+  await page.getByRole('button', { name: 'Bring that back' }).click();
+  await isNamed('changed copy');
+  await page.getByText('This copy took the place').waitFor({ state: 'hidden' });
   assert.deepEqual(faults, []);
 });

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { capPoints, planCurves } from '../src/draw/curve_plan';
 import { makeCurveBuffers, noValue, pointLengths, pointThickness, traceCurves, visitOfPoint } from '../src/draw/curves';
 import { pickPoint } from '../src/draw/pick';
+import { planPosts } from '../src/fabric/posts';
 import { separateContact } from '../src/fabric/separate';
 import { norm, sub, vec3At } from '../src/fabric/vec3';
 import { goldenRun } from './golden';
@@ -12,21 +13,56 @@ const frame = frames[2];
 const plan = planCurves(fabric);
 const buffers = makeCurveBuffers(plan);
 traceCurves(fabric, plan, frame.q, new Float64Array(fabric.numVisits).fill(NaN), buffers);
+const again = makeCurveBuffers(plan);
+
+/// Of every drawn point the smallest distance, in diameters, to yarn that is more than 2.25 diameters of yarn away.
+function nearestTurns(points: Float32Array): number[] {
+  const diameter = 2 * fabric.radius;
+  const lengths = pointLengths(plan, points);
+  const drawn = [...lengths.keys()].filter((point) => lengths[point] >= 0);
+  return drawn.map((one) => Math.min(...drawn.map((other) => (Math.abs(lengths[other] - lengths[one]) < 2.25 * diameter
+    ? Infinity : norm(sub(vec3At(points, 4 * one), vec3At(points, 4 * other))) / diameter))));
+}
 
 describe('curves', () => {
-  it('go through one point a visit and one more in the middle of every contact of a yarn', () => {
-    expect(plan.numControls).toBe(fabric.numVisits + 2 * fabric.contacts.length);
+  it('go through one point a visit and three more within every contact of a yarn', () => {
+    expect(plan.numControls).toBe(fabric.numVisits + 2 * 3 * fabric.contacts.length);
     expect(buffers.points.length).toBe(4 * plan.numPoints);
     expect([...buffers.points].every(Number.isFinite)).toBe(true);
   });
 
-  it('leave visits outside contacts where they are', () => {
-    const inContact = new Set(fabric.contacts.flatMap((contact) => [...contact.uVisit, ...contact.vVisit]));
+  it('leave visits between loops where they are', () => {
+    const ofPosts = new Set(planPosts(fabric).flat().flatMap(({ low, high }) => [low, high]));
     for (let visit = 0; visit < fabric.numVisits; ++visit) {
-      if (inContact.has(visit)) continue;
+      if (ofPosts.has(fabric.visitNode[visit])) continue;
       const drawn = vec3At(buffers.controls, 4 * plan.controlOfVisit[visit]);
       expect(drawn).toEqual(vec3At(frame.q, 3 * fabric.visitNode[visit]));
     }
+  });
+
+  it('keep loops and their legs apart', () => {
+    for (const { q } of frames) {
+      traceCurves(fabric, plan, q, new Float64Array(fabric.numVisits).fill(NaN), again);
+      const nearest = nearestTurns(again.points);
+      expect(Math.min(...nearest)).toBeGreaterThan(0.2);
+      expect(nearest.filter((distance) => distance < 0.5).length / nearest.length).toBeLessThan(0.12);
+    }
+  });
+
+  it('move little where nodes move little', () => {
+    const [before, after] = [frames[0].q, frames[1].q];
+    const steps = 200;
+    let [last, most, fastest] = [new Float32Array(), 0, 0];
+    for (let step = 0; step <= steps; ++step) {
+      const q = before.map((value, i) => value + (step / steps) * (after[i] - value));
+      traceCurves(fabric, plan, q, new Float64Array(fabric.numVisits).fill(NaN), again);
+      again.points.forEach((value, i) => {
+        if (i % 4 < 3 && last.length > 0) most = Math.max(most, Math.abs(value - last[i]));
+      });
+      last = again.points.slice();
+    }
+    for (let i = 0; i < 3 * fabric.numNodes; ++i) fastest = Math.max(fastest, Math.abs(after[i] - before[i]) / steps);
+    expect(most).toBeLessThan(3 * fastest);
   });
 
   it('keep the two yarns of a contact a diameter apart', () => {

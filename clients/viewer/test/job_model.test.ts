@@ -137,6 +137,8 @@ describe('progressText', () => {
   it('counts frames as the player does', () => {
     expect(progressText(running)).toBe('0.1 of 100 s · frame 1 of 1000 · time left not known yet');
     expect(progressText({ ...running, progress: { duration_s: 1, num_frames: 31 } })).toContain('no frame yet');
+    const early: SimJob = { state: 'CANCELLED', progress: { duration_s: 1, num_frames: 31, wall_s: 12 } };
+    expect(progressText(early)).toBe('0 of 1 s · no frames · took 12 s');
     const choosing = { ...running, progress: { duration_s: 1, num_frames: 31, doing: 'choosing the effects: the first 0.1 s without sliding' } };
     expect(progressText(choosing)).toBe('choosing the effects: the first 0.1 s without sliding · time left not known yet');
     expect(progressText({ ...running, progress: { duration_s: 1, num_frames: 31, doing: 'simulating' } })).toContain('no frame yet');

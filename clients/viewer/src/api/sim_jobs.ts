@@ -24,10 +24,22 @@ async function json<T>(path: string, method = 'GET', body?: string): Promise<T> 
 }
 
 export type Work = 'simulate' | 'study' | 'quick study';
-const workFields: Record<Work, string> = { simulate: '"simulate":{}', study: '"study":{}', 'quick study': '"study":{"quick":true}' };
+
+/// What is to be done with a scene.
+export interface Order {
+  work: Work;
+  budget_s?: number;  // of a study; absent: none
+  threads?: number;   // absent: the server's usual number
+}
+
+/// The members of a spec beside its scene, as JSON.
+export function orderText({ work, budget_s, threads }: Order): string {
+  const order = work === 'simulate' ? { simulate: {} } : { study: { quick: work === 'quick study' || undefined, budget_s } };
+  return JSON.stringify({ ...order, threads }).slice(1, -1);
+}
 
 export interface CreateOptions {
-  work?: Work;  // default: simulate
+  order?: Order;  // default: simulate
   requestId?: string;
   validateOnly?: boolean;
 }
@@ -35,7 +47,7 @@ export interface CreateOptions {
 /// `sceneText` is the text of a scene file: it goes to the server as it is, so that the server judges its numbers.
 export function createSimJob(sceneText: string, options: CreateOptions = {}): Promise<SimJob> {
   const rest = { request_id: options.requestId ?? '', validate_only: options.validateOnly ?? false };
-  return json(root, 'POST', `{"spec":{"scene":${sceneText},${workFields[options.work ?? 'simulate']}},${JSON.stringify(rest).slice(1)}`);
+  return json(root, 'POST', `{"spec":{"scene":${sceneText},${orderText(options.order ?? { work: 'simulate' })}},${JSON.stringify(rest).slice(1)}`);
 }
 
 export function getSimJob(id: string): Promise<SimJob> {

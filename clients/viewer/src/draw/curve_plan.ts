@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Which points the drawn curves go through: one a visit, one more in the middle of every stitch contact. Made once a job.
+// Which points the drawn curves go through: one a visit, and a few more within every stitch contact. Made once a job.
 import type { Fabric } from '../fabric/fabric';
 import { findCrossings } from '../fabric/separate';
+import { numLevels, planSpread, type SpreadPlan } from '../fabric/spread';
 
 export interface CurvePlan {
   numControls: number;
   yarnFirst: Int32Array;      // first control point of each yarn, then their number
   visit: Int32Array;          // per control point: its visit, or the first of the two around a middle
-  middle: Uint8Array;         // 1: in the middle of that visit and the next
+  along: Uint8Array;          // how many levels of a contact it lies beyond that visit
   crossings: readonly [number, number][];
+  spread: SpreadPlan;
   controlOfVisit: Int32Array;
   cuts: number;               // drawn segments between two control points
   numPoints: number;          // of the drawn curves; each yarn has a ghost and a round cap of points at both ends
@@ -20,7 +22,7 @@ export const capPoints: readonly { beyond: number; thickness: number }[] = [
   { beyond: 0.5, thickness: 0.866 }, { beyond: 0.866, thickness: 0.5 }, { beyond: 1, thickness: 0 },
 ];
 
-const manyPoints = 60_000;  // from where on curves are drawn coarser
+const manyPoints = 70_000;  // from where on curves are drawn coarser
 const mostCuts = 4;
 
 /// Visits behind which a contact's middle lies.
@@ -35,17 +37,19 @@ function middleVisits(fabric: Fabric): Set<number> {
 export function planCurves(fabric: Fabric): CurvePlan {
   const middles = middleVisits(fabric);
   const visit: number[] = [];
-  const middle: number[] = [];
+  const along: number[] = [];
   const yarnFirst: number[] = [0];
   const controlOfVisit = new Int32Array(fabric.numVisits);
   for (let yarn = 0; yarn + 1 < fabric.yarnFirst.length; ++yarn) {
     for (let i = fabric.yarnFirst[yarn]; i < fabric.yarnFirst[yarn + 1]; ++i) {
       controlOfVisit[i] = visit.length;
       visit.push(i);
-      middle.push(0);
+      along.push(0);
       if (!middles.has(i)) continue;
-      visit.push(i);
-      middle.push(1);
+      for (let level = 1; level < numLevels - 1; ++level) {
+        visit.push(i);
+        along.push(level);
+      }
     }
     yarnFirst.push(visit.length);
   }
@@ -58,8 +62,9 @@ export function planCurves(fabric: Fabric): CurvePlan {
     numControls: visit.length,
     yarnFirst: Int32Array.from(yarnFirst),
     visit: Int32Array.from(visit),
-    middle: Uint8Array.from(middle),
+    along: Uint8Array.from(along),
     crossings: findCrossings(fabric),
+    spread: planSpread(fabric),
     controlOfVisit,
     cuts,
     numPoints: pointFirst[pointFirst.length - 1],

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The drawn curves of one frame, written into one array: four numbers a point, x y z in m and the value to colour by.
 import type { Fabric } from '../fabric/fabric';
-import { separateContact } from '../fabric/separate';
+import { makeSpreadBuffers, numLevels, spread, type SpreadBuffers } from '../fabric/spread';
 import { cross, direction, scaled, sub, type Vec3, vec3At } from '../fabric/vec3';
 import { capPoints, type CurvePlan } from './curve_plan';
 
@@ -14,19 +14,25 @@ const stride = 4;
 export interface CurveBuffers {
   controls: Float64Array;  // 4 each
   points: Float32Array;    // 4 each
+  spread: SpreadBuffers;
 }
 
 export function makeCurveBuffers(plan: CurvePlan): CurveBuffers {
-  return { controls: new Float64Array(stride * plan.numControls), points: new Float32Array(stride * Math.max(plan.numPoints, 1)) };
+  return {
+    controls: new Float64Array(stride * plan.numControls),
+    points: new Float32Array(stride * Math.max(plan.numPoints, 1)),
+    spread: makeSpreadBuffers(plan.spread),
+  };
 }
 
 function placeVisits(fabric: Fabric, plan: CurvePlan, q: ArrayLike<number>, values: ArrayLike<number>, controls: Float64Array): void {
   for (let control = 0; control < plan.numControls; ++control) {
     const visit = plan.visit[control];
-    const [a, b] = plan.middle[control] ? [visit, visit + 1] : [visit, visit];
+    const part = plan.along[control] / (numLevels - 1);
+    const [a, b] = part > 0 ? [visit, visit + 1] : [visit, visit];
     const [na, nb] = [3 * fabric.visitNode[a], 3 * fabric.visitNode[b]];
-    for (let c = 0; c < 3; ++c) controls[stride * control + c] = 0.5 * (q[na + c] + q[nb + c]);
-    const value = 0.5 * (values[a] + values[b]);
+    for (let c = 0; c < 3; ++c) controls[stride * control + c] = (1 - part) * q[na + c] + part * q[nb + c];
+    const value = (1 - part) * values[a] + part * values[b];
     controls[stride * control + 3] = Number.isNaN(value) ? noValue : value;
   }
 }
@@ -35,16 +41,23 @@ function move(controls: Float64Array, control: number, by: Vec3, factor: number)
   for (let c = 0; c < 3; ++c) controls[stride * control + c] += factor * by[c];
 }
 
-function separate(fabric: Fabric, plan: CurvePlan, q: ArrayLike<number>, controls: Float64Array): void {
-  for (const contact of fabric.contacts) {
-    const { atQ0, middle, atQ1 } = separateContact(q, contact, fabric.radius);
-    for (const [[a, b], factor] of [[contact.uVisit, 1], [contact.vVisit, -1]] as const) {
-      if (a < 0 || b < 0) continue;
-      move(controls, plan.controlOfVisit[a], atQ0, factor);
-      move(controls, plan.controlOfVisit[b], atQ1, factor);
-      if (Math.abs(a - b) === 1) move(controls, plan.controlOfVisit[Math.min(a, b)] + 1, middle, factor);
+/// To where `spread` has moved a yarn's point at one level of a post.
+function place(controls: Float64Array, control: number, { centre, offset }: SpreadBuffers, at: number, side: number): void {
+  for (let c = 0; c < 3; ++c) controls[stride * control + c] = centre[at + c] + side * offset[at + c];
+}
+
+function separate(fabric: Fabric, plan: CurvePlan, q: ArrayLike<number>, controls: Float64Array, buffers: SpreadBuffers): void {
+  spread(fabric, plan.spread, q, buffers);
+  plan.spread.posts.forEach(({ visits }, post) => {
+    const at = 3 * numLevels * post;
+    for (const { low, high, side } of visits) {
+      const [from, to] = [plan.controlOfVisit[low], plan.controlOfVisit[high]];
+      const step = Math.abs(from - to) === numLevels - 1 ? 1 : numLevels - 1;
+      for (let level = 0; level < numLevels; level += step) {
+        place(controls, from + Math.sign(to - from) * (step === 1 ? level : Math.abs(to - from) * level / step), buffers, at + 3 * level, side);
+      }
     }
-  }
+  });
   for (const [one, other] of plan.crossings) {
     const tangent = (visit: number): Vec3 => {
       const last = fabric.numVisits - 1;
@@ -109,7 +122,7 @@ function addCap(points: Float32Array, end: number, step: number, radius: number)
 /// `values`: one a visit. The result is in buffers.points.
 export function traceCurves(fabric: Fabric, plan: CurvePlan, q: ArrayLike<number>, values: ArrayLike<number>, buffers: CurveBuffers): void {
   placeVisits(fabric, plan, q, values, buffers.controls);
-  separate(fabric, plan, q, buffers.controls);
+  separate(fabric, plan, q, buffers.controls, buffers.spread);
   for (let yarn = 0; yarn + 1 < plan.yarnFirst.length; ++yarn) smoothYarn(plan, yarn, fabric.radius, buffers);
 }
 

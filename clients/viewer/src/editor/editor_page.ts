@@ -2,17 +2,18 @@
 import { fieldErrors, pathAndAncestors, type FieldError } from '../api/field_errors';
 import { ApiError } from '../api/api_error';
 import { jobId } from '../api/messages';
-import { artefactText, createSimJob, getSimJob, type Work } from '../api/sim_jobs';
+import { artefactText, createSimJob, getSimJob, type Order } from '../api/sim_jobs';
 import type { FormContext } from '../form/form_context';
 import { emptyFields, showErrors } from '../form/show_errors';
 import { textInput } from '../form/simple_fields';
 import type { JsonObject } from '../scene/field';
 import { isObject } from '../scene/json_path';
 import { readScene, sceneText } from '../scene/scene_file';
-import { button, h, select } from '../ui/dom';
+import { button, h } from '../ui/dom';
 import type { Page } from '../ui/page';
 import { chartPanel } from './chart_panel';
 import { jsonPanel } from './json_panel';
+import { orderFields, orderOf } from './order_fields';
 import { sceneForm, type OpenSections } from './scene_form';
 import { sceneMenu } from './scene_menu';
 import { SceneModel } from './scene_model';
@@ -28,6 +29,7 @@ export function editorPage(copyOf?: string): Page {
   const open: OpenSections = new Set(['Knit', 'Effects', 'Holds', 'Time and accuracy']);
   const summary = h('section', { class: 'error-summary', role: 'alert', 'aria-label': 'Problems', tabindex: -1, hidden: true });
   const status = h('p', { class: 'status', role: 'status' });
+  const replaced = h('p', { class: 'links', role: 'status', hidden: true });
   const formFrame = h('div', { class: 'form-frame' });
   const besideFrame = h('div', { class: 'form-frame' });
   const nameFrame = h('div', { class: 'name-frame' });
@@ -92,18 +94,28 @@ export function editorPage(copyOf?: string): Page {
     drawForm();
   }
 
+  /// Says that what was edited has made place for a copy.
+  function offerBack(before: Order): void {
+    replaced.hidden = false;
+    replaced.replaceChildren('This copy took the place of the scene that was edited here. ', button('Bring that back', () => {
+      model.undo();
+      order.show(before);
+      drawForm();
+    }, { class: 'small' }));
+  }
+
   async function send(validateOnly: boolean): Promise<void> {
     if (model.typed.size > 0) {
       summary.focus();
       return;
     }
-    const empty = emptyFields(element);
+    const empty = [...emptyFields(element), ...order.problems()];
     if (empty.length > 0) return refuse(empty);
     const sent = model.scene.value;
     say(validateOnly ? 'Checking …' : 'Submitting …');
     setBusy(true);
     try {
-      const job = await createSimJob(sceneText(sent), { work: choice.work, validateOnly, requestId: validateOnly ? '' : newRequestId() });
+      const job = await createSimJob(sceneText(sent), { order: order.order(), validateOnly, requestId: validateOnly ? '' : newRequestId() });
       model.errors.set([]);
       showAll();
       say(model.scene.value === sent ? 'The scene can be run.' : 'The scene has changed since it was checked.');
@@ -114,14 +126,7 @@ export function editorPage(copyOf?: string): Page {
       setBusy(false);
     }
   }
-  const choice = { work: 'simulate' as Work };
-  const work = select('Work', [['simulate', 'simulate'], ['study', 'study accuracy'], ['quick study', 'quick study']], choice.work,
-    (chosen) => { choice.work = chosen as Work; });
-  const choose = (chosen: Work): void => {
-    choice.work = chosen;
-    const box = work.querySelector('select');
-    if (box) box.value = chosen;
-  };
+  const order = orderFields();
   const submit = button('Submit', () => void send(false), { class: 'primary', 'data-action': 'submit' });
   const check = button('Check', () => void send(true), { 'data-action': 'check' });
   function setBusy(busy: boolean): void {
@@ -134,11 +139,13 @@ export function editorPage(copyOf?: string): Page {
       tell('', problem);
     } });
   const element = h('div', { class: 'page editor-page' },
-    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), work, check, submit), status, fault, summary,
+    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), ...order.elements, check, submit), status, replaced, fault, summary,
     h('div', { class: 'editor-columns' },
       h('div', { class: 'left' }, nameFrame, h('section', { class: 'panel', 'aria-label': 'Chart' }, h('h2', {}, 'Chart'), chart.element), besideFrame, json.element),
       formFrame));
+  const left = { now: false };
   const stop = model.scene.subscribe((scene) => {
+    replaced.hidden = true;
     chart.show(scene);
     json.show();
     say('');  // what was said was about another scene
@@ -146,15 +153,21 @@ export function editorPage(copyOf?: string): Page {
   drawForm();
   if (copyOf !== undefined) {
     Promise.all([artefactText(copyOf, 'scene.json'), getSimJob(copyOf)]).then(([text, job]) => {
+      if (left.now) return;
       const scene = readScene(text);
+      const hadDraft = model.isDraft;
+      const before = order.order();
       load(isObject(scene.scene) ? scene.scene : scene);
-      choose(job.study ? (job.study.quick ? 'quick study' : 'study') : 'simulate');
+      order.show(orderOf(job));
+      history.replaceState(null, '', '#/new');  // a reload, and Back from the new job, lead to the draft: not to the copy anew
+      if (hadDraft) offerBack(before);
     }).catch((error: unknown) => tell('', `The scene of ${copyOf} cannot be read: ${error instanceof Error ? error.message : String(error)}`));
   }
   return {
     title: 'New job',
     element,
     leave: () => {
+      left.now = true;
       stop();
       chart.leave();
     },

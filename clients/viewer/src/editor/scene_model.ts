@@ -19,10 +19,16 @@ function storedDraft(): JsonObject | undefined {
 
 /// The scene that is edited, its past, and what is wrong with it.
 export class SceneModel {
-  readonly scene = new Signal<JsonObject>(storedDraft() ?? freshScene());
+  private readonly stored = storedDraft();
+  readonly scene = new Signal<JsonObject>(this.stored ?? freshScene());
   readonly errors = new Signal<readonly FieldError[]>([]);
   readonly typed = new Map<string, string>();  // places whose text is no value, with why
   private past: JsonObject[] = [];
+
+  /// Whether somebody made the scene, now or before a reload.
+  get isDraft(): boolean {
+    return this.stored !== undefined || this.past.length > 0;
+  }
 
   replace(scene: JsonObject): void {
     this.typed.clear();

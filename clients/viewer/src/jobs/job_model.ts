@@ -22,6 +22,7 @@ export class JobModel {
   readonly fabric = new Signal<Fabric | undefined>(undefined);
   readonly scene = new Signal<Json | undefined>(undefined);
   readonly history = new Signal<History | undefined>(undefined);
+  readonly historyWhole = new Signal(false);   // nothing will come after it
   readonly trouble = new Signal<string>('');   // with the stream of frames; it is being seen to
   readonly lost = new Signal<string>('');      // likewise, with the server
   readonly gone = new Signal(false);           // the job is no longer on the server
@@ -32,12 +33,12 @@ export class JobModel {
   readonly frames = new Signal(0);             // how many came
   readonly streamEnded = new Signal(false);
   private readonly stop = new AbortController();
+  readonly left = this.stop.signal;            // aborts when there is nothing more to ask
   private readonly ended = new AbortController();  // aborts when the job has ended or the page is left
   private historyBusy = false;
   private historyWanted = false;
   private haveAnswer: () => void = () => undefined;
   private readonly answered = new Promise<void>((resolve) => { this.haveAnswer = resolve; });  // once, to ask()
-  private historyWhole = false;  // nothing will come after it
 
   constructor(readonly id: string) {}
 
@@ -160,7 +161,7 @@ export class JobModel {
   /// Reads the history for as long as somebody wants it, long ones seldom, and the whole one at once when the job has ended.
   private async readHistories(): Promise<void> {
     this.historyBusy = true;
-    while (this.historyWanted && !this.historyWhole) {
+    while (this.historyWanted && !this.historyWhole.value) {
       const seen = await whileSeen(this.stop.signal);
       seen.abort();
       if (this.stop.signal.aborted) break;
@@ -181,7 +182,7 @@ export class JobModel {
       this.historyWanted = !(error instanceof ApiError && error.httpStatus === 404);  // a job that has not begun has none
       if (this.historyWanted) return false;
     }
-    this.historyWhole = ended;
+    this.historyWhole.set(ended);
     return true;
   }
 

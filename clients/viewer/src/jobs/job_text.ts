@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-import type { JobProgress, JobState, SimJob } from '../api/messages';
+import { hasEnded, type JobProgress, type JobState, type SimJob } from '../api/messages';
 import { frameText } from '../player/frame_text';
 import { shortNumber } from '../scene/number_text';
 
@@ -39,7 +39,7 @@ export function progressText(job: SimJob, progress = job.progress): string {
   const { t = 0, duration_s: duration = 0, frames = 0, num_frames: planned = 0, eta_s: left, wall_s: wall = 0 } = progress;
   const before = job.state === 'RUNNING' && progress.doing && progress.doing !== simulating;
   const parts = job.study ? [`${Math.floor(100 * partDone(progress))} %`, ...(progress.doing ? [progress.doing] : [])]
-    : before ? [progress.doing ?? ''] : [`${Number(t.toPrecision(3))} of ${duration} s`, frameText(frames - 1, planned)];
+    : before ? [progress.doing ?? ''] : [`${Number(t.toPrecision(3))} of ${duration} s`, frames > 0 || !hasEnded(job.state) ? frameText(frames - 1, planned) : 'no frames'];
   if (job.state === 'RUNNING') parts.push(left === undefined ? 'time left not known yet' : `${spanText(left)} left`);
   else parts.push(`took ${spanText(wall)}`);
   if (progress.error_estimate_m !== undefined) parts.push(`error about ${shortNumber(1e3 * progress.error_estimate_m)} mm`);

@@ -12,13 +12,14 @@ export interface PlotsPanel {
 
 export function plotsPanel(model: JobModel): PlotsPanel {
   const frame = h('div', { class: 'plots' });
-  const empty = h('p', { class: 'note' }, 'Plots appear once the run has written its history.');
+  const empty = h('p', { class: 'note' });
   const state = { now: 0, sinceStart: true, figures: [] as PlotFigure[] };
   const draw = (): void => {
     const history = model.history.value;
     const plots = history && history.rows > 1 ? plotsOf(history, state.sinceStart) : [];
     state.figures = plots.map(plotFigure);
     empty.hidden = plots.length > 0;
+    empty.textContent = model.historyWhole.value ? 'There is nothing to plot: the job ended before its second frame.' : 'Plots appear once the run has written its history.';
     sinceStart.hidden = plots.length === 0;
     frame.replaceChildren(...state.figures.map((figure) => figure.element));
     for (const figure of state.figures) figure.showTime(state.now);
@@ -30,6 +31,7 @@ export function plotsPanel(model: JobModel): PlotsPanel {
   });
   const sinceStart = h('p', { class: 'links' }, box, h('label', { for: box.id }, 'energies as change since the start'));
   model.history.subscribe(draw);
+  model.historyWhole.subscribe(draw);
   const link = h('p', {}, h('a', { href: artefactAddress(model.id, 'history.csv'), download: `${model.id}-history.csv` }, 'Download as CSV'));
   const showLink = (): void => { link.hidden = model.gone.value || model.history.value === undefined; };
   model.history.subscribe(showLink);

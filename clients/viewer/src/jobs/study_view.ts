@@ -25,12 +25,14 @@ export function studyView(model: JobModel): HTMLElement {
   const note = h('p', { class: 'note', role: 'status' });
   const report = h('div', { class: 'study-report' });
   const show = (): void => {
-    const there = files.names.value.includes(page) && !model.gone.value;
+    const known = files.names.value !== undefined;
+    const there = files.names.value?.includes(page) === true && !model.gone.value;
     const ended = hasEnded(model.job.value?.state);
     const compared = hasErrors(model.job.value);
     note.hidden = there && compared;
     note.textContent = model.gone.value ? 'The report is gone with the job.'
       : there ? 'No way to run the scene could be compared with another; the report says why.'
+      : ended && !known ? 'Asking for the report …'
       : ended ? 'This study has no report.' : 'The scene is run in many ways; the report comes when all of them are done.';
     report.replaceChildren(...(there ? [
       h('p', { class: 'links' }, h('a', { class: 'button', href: shownArtefactAddress(model.id, page), target: '_blank', rel: 'noopener' }, 'Open the report')),

@@ -6,7 +6,7 @@ import { spanText } from './job_text';
 
 interface Summary {
   loops?: number;
-  nodes?: number;
+  nodes?: number | null;  // null: there was no fabric, and nothing of it is known
   dofs?: number;
   effects?: string[];
   steps?: number;
@@ -48,8 +48,8 @@ function rowsOf(summary: Summary): [string, string][] {
     ['Nodes', summary.nodes?.toString()],
     ['Unknowns', summary.dofs?.toString()],
     ...(summary.study ? studyRows(summary.study) : []),
-    ['Steps', typeof summary.steps !== 'number' ? undefined : `${summary.steps}, ${summary.rejected_steps ?? 0} rejected`],
-    ['Newton iterations', summary.newton_iterations?.toString()],
+    ['Steps', typeof summary.steps !== 'number' || summary.nodes === null ? undefined : `${summary.steps}, ${summary.rejected_steps ?? 0} rejected`],
+    ['Newton iterations', summary.nodes === null ? undefined : summary.newton_iterations?.toString()],
     ['Wall time', typeof summary.wall_s !== 'number' ? undefined : spanText(summary.wall_s)],
     ['Error of positions', errorText(summary)],
     ['Yarn stretched to', typeof summary.max_stretch === 'number' ? `${shortNumber(100 * summary.max_stretch)} % at most` : undefined],
