@@ -189,7 +189,7 @@ int study(const StudyCommandOptions& options) {
 Command add_study(CLI::App& root) {
   auto options = std::make_shared<StudyCommandOptions>();
   CLI::App* app = root.add_subcommand("study", "Run a scene in many ways: what accuracy costs in time");
-  app->add_option("SCENE", options->scenes, "A scene (.json), or a chart (.txt); of several, each has its folder")
+  app->add_option("SCENE", options->scenes, "Scenes (.json), or charts of K and P rows (.txt)")
       ->type_name("")
       ->required();
   add_settings_option(*app, options->settings);

@@ -123,8 +123,9 @@ std::optional<DefaultGain> default_gain(const std::vector<RungResult>& rungs, do
   if (gain.error_m < own.back().error_m) return std::nullopt;
   gain.default_s = gain.error_m > own.front().error_m ? own.front().wall_s : time_at(own, gain.error_m);
   const std::vector<Point> baseline = frontier_of(rungs, kBaselineMethod);
-  gain.baseline_extrapolated = !within(baseline, gain.error_m);
-  gain.baseline_s = share == 1.0 ? a_millisecond->wall_s : extended_time_at(baseline, gain.error_m);
+  const bool measured = share == 1.0;  // which another of its steps may beat
+  gain.baseline_extrapolated = !measured && !within(baseline, gain.error_m);
+  gain.baseline_s = measured ? a_millisecond->wall_s : extended_time_at(baseline, gain.error_m);
   return gain;
 }
 

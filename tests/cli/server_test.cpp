@@ -207,7 +207,7 @@ TEST_F(CliWithServer, AStudyReportsWhatTheSameStudyDoesHere) {
   }
   ASSERT_EQ(slipstitch({"study", folder_ / "swing.json", "--quick", "--out", folder_ / "here"}).exit_code, 0);
   const auto results = results_of(read_bytes(folder_ / "report" / "study.csv"));
-  EXPECT_EQ(results.size(), 23U);
+  EXPECT_EQ(results.size(), 24U);
   EXPECT_EQ(results, results_of(read_bytes(folder_ / "here" / "study.csv")));
   // As its report says, its own scene.json gives another such.
   const ProgramEnd again =

@@ -64,7 +64,7 @@ TEST_F(StudyJobTest, EndsWithAReport) {
   EXPECT_EQ(summary["status"], "succeeded");
   EXPECT_TRUE(summary["newton_iterations"].is_null()) << "not measured";
   EXPECT_EQ(summary["study"]["finished"], true);
-  EXPECT_EQ(summary["study"]["rungs"].size(), 23U);
+  EXPECT_EQ(summary["study"]["rungs"].size(), 24U);
   EXPECT_GT(summary["study"]["reference"]["error_m"], 0.0);
 }
 

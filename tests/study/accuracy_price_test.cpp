@@ -80,6 +80,9 @@ TEST(AccuracyPrice, TheDefaultIsComparedAtTheErrorOfTheBaselineWithAMillisecond)
   EXPECT_NEAR(default_gain(rungs, 100.0)->default_s, 1.0, 1e-12) << "the coarsest, which is more accurate";
   std::erase_if(rungs, [](const RungResult& r) { return r.rung.size == 1.04e-3; });
   EXPECT_FALSE(default_gain(rungs, 1.0)) << "no baseline with a millisecond";
+  rungs.push_back(rung(kBase, 1.04e-3, 5e-3, 8.0));  // worse than with longer steps
+  EXPECT_NEAR(default_gain(rungs, 1.0)->baseline_s, 8.0, 1e-12);
+  EXPECT_FALSE(default_gain(rungs, 1.0)->baseline_extrapolated);
 }
 
 TEST(AccuracyPrice, ADigitCostsWhatTheFrontSays) {

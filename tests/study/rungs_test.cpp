@@ -34,7 +34,7 @@ TEST(Rungs, HalveTheStepOfEveryIntegrator) {
     for (std::size_t i = 1; i < values.size(); ++i) EXPECT_NEAR(values[i], 0.5 * values[i - 1], 1e-12);
   }
   EXPECT_EQ(sizes.at(std::string(kAccuracyMethod)), (std::vector<double>{1e-3, 3e-4, 1e-4, 3e-5, 1e-5}));
-  EXPECT_EQ(names_of(all_rungs(smooth_swing(), false)).size(), 40U);
+  EXPECT_EQ(names_of(all_rungs(smooth_swing(), false)).size(), 41U);
 }
 
 TEST(Rungs, BeginAtTheScenesOwnStepWhereThatIsLarger) {
