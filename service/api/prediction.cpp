@@ -11,12 +11,19 @@ namespace slipstitch {
 namespace {
 
 constexpr double kBudget_s = 0.5;
-constexpr std::size_t kMostStitchesAndPoints = 10'000;
+constexpr std::size_t kMostStitchesAndPoints = 4'000;
 
 std::size_t stitches_and_points(const Scene& scene) {
   std::size_t count = scene.knit ? scene.knit->pattern.cells.size() : 0;
   for (const BareYarn& yarn : scene.yarns) count += yarn.points.size();
   return count;
+}
+
+/// What its model takes is not known before it is built, where yarn may meet yarn or a body in any number of places.
+bool may_take_long(const Scene& scene) {
+  const Effects& effects = scene.effects;
+  return effects.automatic || effects.self_collision || effects.colliders ||
+         stitches_and_points(scene) > kMostStitchesAndPoints;
 }
 
 v1::PredictedRun::Basis message_from_basis(Basis basis) {
@@ -52,7 +59,7 @@ bool wants_prediction(const v1::CreateSimJobRequest& request) {
 std::optional<v1::Prediction> predict_run(const v1::Scene& scene) {
   const LoadResult loaded = load_scene_message(scene);
   const auto* found = std::get_if<LoadedScene>(&loaded);
-  if (found == nullptr || stitches_and_points(found->scene) > kMostStitchesAndPoints) return std::nullopt;
+  if (found == nullptr || may_take_long(found->scene)) return std::nullopt;
   PredictOptions options;
   options.calibration = &machine_calibration();
   options.budget_s = kBudget_s;
