@@ -37,8 +37,10 @@ void configure(grpc::ServerBuilder& builder, const GrpcOptions& options) {
 }  // namespace
 
 struct GrpcServer::State {
-  State(jobs::JobStore& job_store, const GrpcOptions& options)
-      : store(job_store), jobs(job_store, options.max_scene_mib, options.streams), frames(job_store, options.streams) {}
+  State(jobs::JobStore& job_store, Predictor& predictor, const GrpcOptions& options)
+      : store(job_store),
+        jobs(job_store, predictor, options.max_scene_mib, options.streams),
+        frames(job_store, options.streams) {}
 
   jobs::JobStore& store;
   SimJobsService jobs;
@@ -51,8 +53,9 @@ GrpcServer::GrpcServer(std::unique_ptr<State> state) : state_(std::move(state)) 
 
 GrpcServer::~GrpcServer() { stop(0.0); }
 
-jobs::Outcome<std::unique_ptr<GrpcServer>> GrpcServer::start(jobs::JobStore& store, const GrpcOptions& options) {
-  auto state = std::make_unique<State>(store, options);
+jobs::Outcome<std::unique_ptr<GrpcServer>> GrpcServer::start(jobs::JobStore& store, Predictor& predictor,
+                                                             const GrpcOptions& options) {
+  auto state = std::make_unique<State>(store, predictor, options);
   grpc::EnableDefaultHealthCheckService(true);
   grpc::reflection::InitProtoReflectionServerBuilderPlugin();
   grpc::ServerBuilder builder;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "api/predictor.h"
 #include "grpc/stream_reactor.h"
 #include "jobs/job_store.h"
 
@@ -19,7 +20,8 @@ struct GrpcOptions {
 class GrpcServer {
  public:
   /// Listens, not serving yet. Error: the address cannot be had.
-  static jobs::Outcome<std::unique_ptr<GrpcServer>> start(jobs::JobStore& store, const GrpcOptions& options);
+  static jobs::Outcome<std::unique_ptr<GrpcServer>> start(jobs::JobStore& store, Predictor& predictor,
+                                                          const GrpcOptions& options);
   ~GrpcServer();
 
   const std::string& address() const;  // with the port in use

@@ -83,10 +83,9 @@ grpc::ServerUnaryReactor* SimJobsService::CreateSimJob(Context* context, const g
     bool own_buffer = false;
     reactor->Finish(grpc::SerializationTraits<v1::SimJob>::Serialize(whole, response, &own_buffer));
   };
-  const bool posted = wants_prediction(message) && predictions_.post([finish, scene = message.spec().scene()] {
-    const std::optional<v1::Prediction> prediction = predict_run(scene);
-    finish(prediction ? &*prediction : nullptr);
-  });
+  const bool posted =
+      wants_prediction(message) && predictor_.post(
+                                       message.spec().scene(), [context] { return !context->IsCancelled(); }, finish);
   if (!posted) finish(nullptr);
   return reactor;
 }

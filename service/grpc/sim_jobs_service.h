@@ -3,7 +3,7 @@
 
 #include <grpcpp/support/byte_buffer.h>
 
-#include "api/prediction.h"
+#include "api/predictor.h"
 #include "grpc/stream_reactor.h"
 #include "slipstitch/v1/job.grpc.pb.h"
 
@@ -13,8 +13,8 @@ namespace slipstitch {
 /// parsed, with a message that names the flag.
 class SimJobsService final : public v1::SimJobs::WithRawCallbackMethod_CreateSimJob<v1::SimJobs::CallbackService> {
  public:
-  SimJobsService(jobs::JobStore& store, int max_scene_mib, StreamOptions streams)
-      : store_(store), max_scene_mib_(max_scene_mib), streams_(streams) {}
+  SimJobsService(jobs::JobStore& store, Predictor& predictor, int max_scene_mib, StreamOptions streams)
+      : store_(store), predictor_(predictor), max_scene_mib_(max_scene_mib), streams_(streams) {}
 
   using Context = grpc::CallbackServerContext;
   template <class Message>
@@ -37,9 +37,9 @@ class SimJobsService final : public v1::SimJobs::WithRawCallbackMethod_CreateSim
 
  private:
   jobs::JobStore& store_;
+  Predictor& predictor_;
   const int max_scene_mib_;
   const StreamOptions streams_;
-  PredictionLane predictions_;
 };
 
 }  // namespace slipstitch

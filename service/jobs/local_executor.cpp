@@ -3,63 +3,19 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <map>
-#include <vector>
 
+#include "jobs/spawn_program.h"
 #include "jobs/worker_environment.h"
+#include "run_dir/unique_fd.h"
 
 namespace slipstitch::jobs {
 namespace {
-
-/// posix_spawn's two C structs. All signals at their defaults and unblocked, no descriptor but 0, 1 and 2.
-class SpawnPlan {
- public:
-  explicit SpawnPlan(const std::string& log_file) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, log_file.c_str(), O_WRONLY | O_CREAT | O_APPEND, 0644);
-    posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
-    posix_spawn_file_actions_addclosefrom_np(&actions_, STDERR_FILENO + 1);
-    posix_spawnattr_init(&attributes_);
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    posix_spawnattr_setsigmask(&attributes_, &none);
-    posix_spawnattr_setsigdefault(&attributes_, &all);
-    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  }
-  SpawnPlan(const SpawnPlan&) = delete;
-  SpawnPlan& operator=(const SpawnPlan&) = delete;
-  ~SpawnPlan() {
-    posix_spawn_file_actions_destroy(&actions_);
-    posix_spawnattr_destroy(&attributes_);
-  }
-
-  /// 0 or an errno.
-  int spawn(pid_t& pid, const std::string& program, std::vector<std::string> arguments,
-            std::vector<std::string> environment) const {
-    return posix_spawn(&pid, program.c_str(), &actions_, &attributes_, pointers(arguments).data(),
-                       pointers(environment).data());
-  }
-
- private:
-  static std::vector<char*> pointers(std::vector<std::string>& strings) {
-    std::vector<char*> result;
-    for (std::string& text : strings) result.push_back(text.data());
-    result.push_back(nullptr);
-    return result;
-  }
-
-  posix_spawn_file_actions_t actions_{};
-  posix_spawnattr_t attributes_{};
-};
 
 WorkerEnd end_of(int wait_status) {
   WorkerEnd end;
@@ -73,17 +29,13 @@ class LocalExecutor : public Executor {
   explicit LocalExecutor(std::filesystem::path program) : program_(std::move(program)) {}
 
   Outcome<WorkerInfo> start(const RunDir& dir, const JobInfo& job) override {
+    const UniqueFd nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    const UniqueFd log(::open(worker_log(dir).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644));
+    if (!log) return cannot_start(errno_message("cannot write", worker_log(dir)));
     pid_t pid = -1;
-    const int failed = SpawnPlan(worker_log(dir).string())
-                           .spawn(pid, program_.string(), {program_.string(), "--job-dir", dir.path.string()},
-                                  worker_environment(job));
-    if (failed != 0)
-      return Error{ErrorCode::internal,
-                   "WORKER_CRASHED",
-                   "cannot start " + program_.string() + ": " + std::strerror(failed),
-                   {},
-                   {},
-                   {}};
+    const int failed = spawn_program(pid, {program_.string(), "--job-dir", dir.path.string()}, worker_environment(job),
+                                     {nothing.get(), log.get(), log.get()});
+    if (failed != 0) return cannot_start(std::strerror(failed));
     // The child cannot vanish before it is waited for, but it may have ended: then there is nothing to describe.
     WorkerInfo worker = describe_process(pid).value_or(WorkerInfo{pid, 0, current_boot_id(), handle_of(pid)});
     children_[worker.pid] = worker.start_ticks;
@@ -105,6 +57,10 @@ class LocalExecutor : public Executor {
   }
 
  private:
+  Error cannot_start(const std::string& why) const {
+    return {ErrorCode::internal, "WORKER_CRASHED", "cannot start " + program_.string() + ": " + why, {}, {}, {}};
+  }
+
   static std::string handle_of(pid_t pid) { return "local:" + std::to_string(pid); }
 
   bool is_child(const WorkerInfo& worker) const {

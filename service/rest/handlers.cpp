@@ -6,7 +6,7 @@
 #include "api/create_job.h"
 #include "api/job_message.h"
 #include "api/list_jobs.h"
-#include "api/prediction.h"
+#include "api/predictor.h"
 #include "google/protobuf/empty.pb.h"
 #include "jobs/worker_environment.h"
 #include "platform/version.h"
@@ -36,13 +36,12 @@ Response create(const std::string& body, const Service& service) {
   const jobs::Outcome<jobs::Job> job = create_job(service.store, read.request, std::move(read.issues));
   Response response = job_response(job);
   if (!job || !wants_prediction(read.request)) return response;
-  response.fuller = [answered = message_from_job(*job),
-                     scene = std::move(*read.request.mutable_spec()->mutable_scene())] {
+  const auto with = [answered = message_from_job(*job)](const v1::Prediction& prediction) {
     v1::SimJob message = answered;
-    if (std::optional<v1::Prediction> prediction = predict_run(scene))
-      *message.mutable_prediction() = std::move(*prediction);
+    *message.mutable_prediction() = prediction;
     return api_json(message) + "\n";
   };
+  response.prediction = ToPredict{std::move(*read.request.mutable_spec()->mutable_scene()), with};
   return response;
 }
 

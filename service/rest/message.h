@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rest/body_source.h"
+#include "slipstitch/v1/job.pb.h"
 
 namespace slipstitch::rest {
 
@@ -27,6 +28,12 @@ struct RequestHead {
   const std::string* find(std::string_view name) const;
 };
 
+/// A prediction that is part of an answer, if it can be had.
+struct ToPredict {
+  v1::Scene scene;
+  std::function<std::string(const v1::Prediction&)> body;  // with it
+};
+
 struct Response {
   unsigned status = 200;
   Headers headers;  // besides those that every response has
@@ -34,7 +41,7 @@ struct Response {
   std::shared_ptr<BodySource> source;   // instead of body, from after `first`
   Piece first;                          // of the source
   std::optional<std::uint64_t> length;  // of what the source gives [byte]; empty: sent in chunks
-  std::function<std::string()> fuller;  // makes a body that says more, but takes long; may be empty
+  std::optional<ToPredict> prediction;
 };
 
 Response text_response(std::string_view content_type, std::string body);

@@ -51,14 +51,15 @@ ErrorCode listen(const std::string& address, tcp::acceptor& acceptor) {
 
 }  // namespace
 
-Shared::Shared(jobs::JobStore& store, const RestOptions& rest_options)
+Shared::Shared(jobs::JobStore& store, Predictor& what_predicts, const RestOptions& rest_options)
     : options(rest_options),
+      predictor(what_predicts),
       service{store, rest_options.max_scene_mib, StaticFiles(rest_options.viewer), openapi_document(), {}},
       bound_host(bare_host(rest_options.address)) {}
 
 struct RestServer::State {
-  State(jobs::JobStore& store, const RestOptions& options)
-      : shared(std::make_shared<Shared>(store, options)), acceptor(shared->io), retry(shared->io) {}
+  State(jobs::JobStore& store, Predictor& predictor, const RestOptions& options)
+      : shared(std::make_shared<Shared>(store, predictor, options)), acceptor(shared->io), retry(shared->io) {}
 
   void accept() {
     acceptor.async_accept([this](const ErrorCode& error, tcp::socket socket) {
@@ -105,8 +106,9 @@ struct RestServer::State {
 
 RestServer::RestServer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 
-jobs::Outcome<std::unique_ptr<RestServer>> RestServer::start(jobs::JobStore& store, const RestOptions& options) {
-  auto state = std::make_unique<State>(store, options);
+jobs::Outcome<std::unique_ptr<RestServer>> RestServer::start(jobs::JobStore& store, Predictor& predictor,
+                                                             const RestOptions& options) {
+  auto state = std::make_unique<State>(store, predictor, options);
   if (const ErrorCode error = listen(options.address, state->acceptor)) {
     return cannot_listen(options.address, error.message());
   }
@@ -159,7 +161,6 @@ void RestServer::stop(double grace_s) {
   });
   state.thread.join();
   state.shared->work.join();
-  state.shared->predictions.stop();
   state.shared->lookups.join();
   state.shared->feeds.join();
   state.shared->exports.join();

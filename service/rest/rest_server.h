@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "api/predictor.h"
 #include "jobs/job_store.h"
 
 namespace slipstitch::rest {
@@ -27,7 +28,8 @@ struct RestOptions {
 class RestServer {
  public:
   /// Listens and serves. Error: the address cannot be had.
-  static jobs::Outcome<std::unique_ptr<RestServer>> start(jobs::JobStore& store, const RestOptions& options);
+  static jobs::Outcome<std::unique_ptr<RestServer>> start(jobs::JobStore& store, Predictor& predictor,
+                                                          const RestOptions& options);
   ~RestServer();
 
   const std::string& address() const;  // with the port in use

@@ -151,12 +151,29 @@ void Session::run() {
   asio::thread_pool& lane = route_->operation == Operation::create_job ? shared_->work : shared_->lookups;
   asio::post(lane, [self = shared_from_this(), body = std::move(parser_->get().body())] {
     Response response = handle(*self->route_, body, self->shared_->service);
-    const auto fuller = std::move(response.fuller);
-    const bool posted = fuller && self->shared_->predictions.post([self, response, fuller]() mutable {
-      response.body = fuller();
-      self->respond_later(std::move(response));
-    });
-    if (!posted) self->respond_later(std::move(response));
+    if (!self->predict(response)) self->respond_later(std::move(response));
+  });
+}
+
+// Whether it answers, later.
+bool Session::predict(Response response) {
+  if (!response.prediction) return false;
+  const auto answer = [self = shared_from_this(), response](const v1::Prediction* prediction) mutable {
+    if (prediction != nullptr) response.body = response.prediction->body(*prediction);
+    self->respond_later(std::move(response));
+  };
+  const auto wanted = [self = shared_from_this()] { return !self->gone_; };
+  if (!shared_->predictor.post(response.prediction->scene, wanted, answer)) return false;
+  asio::post(shared_->io, [self = shared_from_this()] { self->watch_for_end(); });
+  return true;
+}
+
+// Something to read that has no bytes is the end.
+void Session::watch_for_end() {
+  if (closed_) return;
+  socket_.async_wait(asio::ip::tcp::socket::wait_read, [self = shared_from_this()](const ErrorCode& error) {
+    ErrorCode unknown;
+    if (error || (self->socket_.available(unknown) == 0 && !self->closed_)) self->gone_ = true;
   });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <atomic>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
@@ -14,7 +15,7 @@
 #include <string>
 #include <utility>  // before asio, which needs it and does not include it
 
-#include "api/prediction.h"
+#include "api/predictor.h"
 #include "rest/handlers.h"
 #include "rest/http_parser.h"
 #include "rest/rest_server.h"
@@ -25,9 +26,10 @@ class Session;
 
 /// What all connections share. Everything but the pools is touched by the I/O thread only.
 struct Shared {
-  Shared(jobs::JobStore& store, const RestOptions& rest_options);
+  Shared(jobs::JobStore& store, Predictor& predictor, const RestOptions& rest_options);
 
   const RestOptions options;
+  Predictor& predictor;
   Service service;
   std::string bound_host;
   std::set<std::shared_ptr<Session>> sessions;
@@ -38,7 +40,6 @@ struct Shared {
   std::size_t export_bytes = 0;                  // of those being sent
   bool stopping = false;
   boost::asio::io_context io{1};
-  PredictionLane predictions;
   boost::asio::thread_pool lookups{1}, work{1}, feeds{1}, exports{1};
 };
 
@@ -68,6 +69,8 @@ class Session : public std::enable_shared_from_this<Session> {
   void run();
   void respond(Response response);
   void respond_later(Response response);  // from any thread
+  bool predict(Response response);
+  void watch_for_end();
   void respond_and_close(const HttpError& error);
   void finish_response();
   void linger();
@@ -110,6 +113,8 @@ class Session : public std::enable_shared_from_this<Session> {
   int requests_ = 0;
   bool reading_head_ = false, timed_out_ = false, keep_alive_ = false, http_1_0_ = false, uploading_ = false;
   bool refused_ = false, closed_ = false;
+
+  std::atomic<bool> gone_ = false;  // the client, while a prediction is made for it
 
   // Of a frame's file.
   bool waiting_ = false;

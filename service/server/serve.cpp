@@ -7,6 +7,7 @@
 #include <iostream>
 #include <memory>
 
+#include "api/predictor.h"
 #include "grpc/grpc_server.h"
 #include "jobs/local_executor.h"
 #include "jobs/worker_environment.h"
@@ -55,7 +56,8 @@ std::chrono::milliseconds milliseconds_of(double seconds) {
 }
 
 // Null: not asked for.
-jobs::Outcome<std::unique_ptr<rest::RestServer>> start_http(jobs::JobStore& store, const ServerOptions& options) {
+jobs::Outcome<std::unique_ptr<rest::RestServer>> start_http(jobs::JobStore& store, Predictor& predictor,
+                                                            const ServerOptions& options) {
   if (!options.http_address) return std::unique_ptr<rest::RestServer>();
   rest::RestOptions rest;
   rest.address = *options.http_address;
@@ -64,21 +66,23 @@ jobs::Outcome<std::unique_ptr<rest::RestServer>> start_http(jobs::JobStore& stor
   rest.request_timeout = milliseconds_of(options.http_timeout_s);
   rest.max_connections = options.http_connections;
   rest.viewer = options.viewer;
-  return rest::RestServer::start(store, rest);
+  return rest::RestServer::start(store, predictor, rest);
 }
 
 int run_server(const ServerOptions& options, const std::string& program) {
   auto store = open_store(options);
   if (!store) return report(program, store.error());
+  Predictor predictor(options.worker);
   auto server = GrpcServer::start(
-      **store, {options.grpc_address, options.max_scene_mib, {milliseconds_of(options.stall_timeout_s)}});
+      **store, predictor, {options.grpc_address, options.max_scene_mib, {milliseconds_of(options.stall_timeout_s)}});
   if (!server) return report(program, server.error());
-  auto http = start_http(**store, options);
+  auto http = start_http(**store, predictor, options);
   if (!http) return report(program, http.error());
   std::cout << "slipstitchd ready grpc=" << (*server)->address() << " http=" << (*http ? (*http)->address() : "none")
             << std::endl;
   wait_for_stop_signal();
   std::cerr << program << ": stopping" << (options.stop_jobs ? ", and the jobs with it" : "; workers run on") << "\n";
+  predictor.stop();
   (*server)->stop(options.stop_grace_s);
   if (*http) (*http)->stop(options.stop_grace_s);
   if (options.stop_jobs) (*store)->stop_jobs(kJobGrace_s);

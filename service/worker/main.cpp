@@ -9,6 +9,7 @@
 #include "jobs/executor.h"
 #include "platform/startup.h"
 #include "platform/version.h"
+#include "worker/predict.h"
 #include "worker/run_job.h"
 
 namespace {
@@ -78,13 +79,17 @@ int main(int argc, char** argv) {
   start_process(argv);
   CLI::App app("Runs the one job in a job directory. Meant to be started by slipstitchd.", "slipstitch-worker");
   std::string job_dir;
-  app.add_option("--job-dir", job_dir, "The job's run directory")->required()->check(CLI::ExistingDirectory);
+  bool predict = false;
+  auto* what = app.add_option_group("work")->require_option(1);
+  what->add_option("--job-dir", job_dir, "The job's run directory")->check(CLI::ExistingDirectory);
+  what->add_flag("--predict", predict, "Say what a run of the scene on standard input takes");
   app.set_version_flag("--version", version_line("slipstitch-worker"));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
+  if (predict) return predict_for_server();
   block_stop_signals();
   return run_worker({job_dir});
 }

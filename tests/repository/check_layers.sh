@@ -21,11 +21,11 @@ run_dir: CORE scene_io formats platform
 studies: CORE report run_dir
 prediction: CORE run_dir platform
 jobs: CORE scene_io formats run_dir platform
-api: CORE scene_io formats run_dir platform prediction jobs proto
-grpc: CORE scene_io formats run_dir platform prediction jobs api proto stubs
-rest: CORE scene_io formats run_dir platform prediction jobs api proto
-worker: CORE report scene_io formats run_dir studies platform jobs proto
-server: CORE scene_io formats run_dir platform prediction jobs api grpc rest worker proto stubs
+api: CORE scene_io formats run_dir platform jobs proto
+grpc: CORE scene_io formats run_dir platform jobs api proto stubs
+rest: CORE scene_io formats run_dir platform jobs api proto
+worker: CORE report scene_io formats run_dir studies prediction platform jobs proto
+server: CORE scene_io formats run_dir platform jobs api grpc rest worker proto stubs
 cli: CORE report scene_io formats run_dir studies prediction platform jobs grpc server proto stubs
 TABLE
 core='math solve model collide force sim study'

@@ -20,7 +20,7 @@ class KeepAliveTest : public ::testing::Test {
     rest::RestOptions options;
     options.address = "127.0.0.1:0";
     options.keep_alive = std::chrono::milliseconds(5);
-    auto server = rest::RestServer::start(*store_, options);
+    auto server = rest::RestServer::start(*store_, predictor_, options);
     ASSERT_TRUE(server) << server.error().message;
     server_ = std::move(*server);
   }
@@ -42,6 +42,7 @@ class KeepAliveTest : public ::testing::Test {
   TemporaryFolder folder_;
   jobs::HeldWork work_;
   std::unique_ptr<jobs::JobStore, jobs::LetGo> store_;
+  Predictor predictor_{"no-worker"};
   std::unique_ptr<rest::RestServer> server_;
   std::string path_;
 };

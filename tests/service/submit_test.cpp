@@ -62,20 +62,6 @@ TEST_F(SubmitTest, ValidatesWithoutStoring) {
   EXPECT_FALSE(must_create(swing(3, 0.1, 10.0, 1e-2)).has_prediction());
 }
 
-// As many contacts as there are points squared would take gigabytes and minutes.
-TEST_F(SubmitTest, PredictsNothingWhereYarnMayMeetAnywhere) {
-  v1::CreateSimJobRequest request;
-  *request.mutable_spec()->mutable_scene() = swing(3, 0.1, 10.0, 1e-2);
-  request.mutable_spec()->mutable_scene()->mutable_effects()->mutable_self_collision();
-  request.mutable_spec()->mutable_simulate();
-  request.set_validate_only(true);
-  grpc::ClientContext context;
-  v1::SimJob job;
-  const grpc::Status status = jobs_->CreateSimJob(&context, request, &job);
-  EXPECT_TRUE(status.ok()) << status.error_message();
-  EXPECT_FALSE(job.has_prediction());
-}
-
 TEST_F(SubmitTest, PredictsNoStudies) {
   v1::CreateSimJobRequest request;
   *request.mutable_spec()->mutable_scene() = swing(3, 0.1, 10.0, 1e-2);

@@ -1,29 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include "api/prediction.h"
+#include "worker/predict.h"
+
+#include <sys/resource.h>
 
 #include <cmath>
+#include <iostream>
+#include <new>
+#include <optional>
 
 #include "prediction/calibration_cache.h"
 #include "scene_io/load_scene.h"
+#include "slipstitch/v1/job.pb.h"
 #include "study/prediction.h"
 
 namespace slipstitch {
 namespace {
 
-constexpr double kBudget_s = 0.5;
-constexpr std::size_t kMostStitchesAndPoints = 4'000;
+constexpr double kPilots_s = 0.5;
+constexpr rlim_t kMostProcessor_s = 6;
+constexpr rlim_t kMostMemory_bytes = rlim_t{1} << 30;
+constexpr rlim_t kMostAnswer_bytes = rlim_t{1} << 20;
 
-std::size_t stitches_and_points(const Scene& scene) {
-  std::size_t count = scene.knit ? scene.knit->pattern.cells.size() : 0;
-  for (const BareYarn& yarn : scene.yarns) count += yarn.points.size();
-  return count;
+bool limit(__rlimit_resource what, rlim_t most) {
+  const rlimit both{most, most};
+  return ::setrlimit(what, &both) == 0;
 }
 
-/// What its model takes is not known before it is built, where yarn may meet yarn or a body in any number of places.
-bool may_take_long(const Scene& scene) {
-  const Effects& effects = scene.effects;
-  return effects.automatic || effects.self_collision || effects.colliders ||
-         stitches_and_points(scene) > kMostStitchesAndPoints;
+bool set_limits() {
+  return limit(RLIMIT_CPU, kMostProcessor_s) && limit(RLIMIT_DATA, kMostMemory_bytes) &&
+         limit(RLIMIT_FSIZE, kMostAnswer_bytes) && limit(RLIMIT_CORE, 0);
 }
 
 v1::PredictedRun::Basis message_from_basis(Basis basis) {
@@ -50,19 +55,14 @@ void set_run(const RunPrediction& run, double tolerance_m, const PilotBasis& bas
   message.set_basis_tolerance_m(basis.tolerance_m);
 }
 
-}  // namespace
-
-bool wants_prediction(const v1::CreateSimJobRequest& request) {
-  return request.validate_only() && request.spec().has_simulate();
-}
-
-std::optional<v1::Prediction> predict_run(const v1::Scene& scene) {
+/// Nothing of a scene that has no model.
+std::optional<v1::Prediction> predict_scene(const v1::Scene& scene) {
   const LoadResult loaded = load_scene_message(scene);
   const auto* found = std::get_if<LoadedScene>(&loaded);
-  if (found == nullptr || may_take_long(found->scene)) return std::nullopt;
+  if (found == nullptr) return std::nullopt;
   PredictOptions options;
   options.calibration = &machine_calibration();
-  options.budget_s = kBudget_s;
+  options.budget_s = kPilots_s;
   const Prediction prediction = predict(found->scene, options);
   if (!prediction.failure.empty()) return std::nullopt;
   v1::Prediction message;
@@ -76,35 +76,15 @@ std::optional<v1::Prediction> predict_run(const v1::Scene& scene) {
   return message;
 }
 
-bool PredictionLane::post(std::function<void()> task) {
-  const std::lock_guard lock(mutex_);
-  if (stopping_ || waiting_.size() >= kMostWaiting) return false;
-  waiting_.push_back(std::move(task));
-  if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
-  changed_.notify_one();
-  return true;
-}
+}  // namespace
 
-void PredictionLane::work() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
-    if (waiting_.empty()) return;
-    const std::function<void()> task = std::move(waiting_.front());
-    waiting_.pop_front();
-    lock.unlock();
-    task();
-    lock.lock();
-  }
-}
-
-void PredictionLane::stop() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-    changed_.notify_one();
-  }
-  if (thread_.joinable()) thread_.join();
+int predict_for_server() try {
+  v1::Scene scene;
+  if (!set_limits() || !scene.ParseFromIstream(&std::cin)) return 1;
+  const std::optional<v1::Prediction> prediction = predict_scene(scene);
+  return !prediction || (prediction->SerializeToOstream(&std::cout) && std::cout.flush()) ? 0 : 1;
+} catch (const std::bad_alloc&) {
+  return 1;
 }
 
 }  // namespace slipstitch
