@@ -16,9 +16,6 @@
 namespace slipstitch {
 namespace {
 
-// Of wall time, from the request on. The process itself is limited in processor time: on a busy machine it gets on
-// late.
-constexpr std::chrono::seconds kMostWait{20};
 constexpr std::chrono::milliseconds kLookAgain{10};
 constexpr std::size_t kMostAnswerBytes = 1 << 20;
 
@@ -56,7 +53,7 @@ bool wants_prediction(const v1::CreateSimJobRequest& request) {
 bool Predictor::post(const v1::Scene& scene, Wanted wanted, Done done) {
   const std::lock_guard lock(mutex_);
   if (stopping_ || waiting_.size() >= kMostWaiting) return false;
-  waiting_.push_back({scene.SerializeAsString(), std::move(wanted), std::move(done), Clock::now() + kMostWait});
+  waiting_.push_back({scene.SerializeAsString(), std::move(wanted), std::move(done), Clock::now() + most_wait_});
   if (!thread_.joinable()) thread_ = std::thread([this] { work(); });
   changed_.notify_one();
   return true;

@@ -25,8 +25,10 @@ class Predictor {
   using Wanted = std::function<bool()>;
   using Done = std::function<void(const v1::Prediction*)>;
 
-  /// `worker`: the program.
-  explicit Predictor(std::filesystem::path worker) : worker_(std::move(worker)) {}
+  /// `worker`: the program. `most_wait`: of wall time, from post() on; the process is limited in processor time,
+  /// because on a busy machine it gets on late.
+  Predictor(std::filesystem::path worker, std::chrono::milliseconds most_wait)
+      : worker_(std::move(worker)), most_wait_(most_wait) {}
   Predictor(const Predictor&) = delete;
   Predictor& operator=(const Predictor&) = delete;
   ~Predictor() { stop(); }
@@ -53,6 +55,7 @@ class Predictor {
   bool run(const Task& task, int in, int out);
 
   const std::filesystem::path worker_;
+  const std::chrono::milliseconds most_wait_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Task> waiting_;

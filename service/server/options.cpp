@@ -76,6 +76,10 @@ void declare_http(CLI::App& app, ServerOptions& options, Texts& texts) {
                  "Serve REST and the viewer here; port 0 takes any free one, 'none' leaves it out")
       ->capture_default_str()
       ->check(CLI::Validator(check_http_address, ""));
+  app.add_option("--prediction-timeout", options.prediction_timeout_s,
+                 "Seconds a request waits to be told what its run would take, 0.1 to 86400")
+      ->capture_default_str()
+      ->check(seconds_from(0.1));
   app.add_option("--viewer", texts.viewer, "Folder of the viewer's files")->capture_default_str();
   app.add_option("--http-timeout", options.http_timeout_s,
                  "Seconds an HTTP client gets to send a request, or the next one, 0.1 to 86400")

@@ -13,6 +13,7 @@ struct ServerOptions {
   std::optional<std::string> http_address = "127.0.0.1:8651";  // empty: no REST
   std::filesystem::path viewer;                                // folder of the viewer's files
   double http_timeout_s = 30.0;
+  double prediction_timeout_s = 20.0;
   int http_connections = 512;
   std::filesystem::path data_dir;
   std::filesystem::path worker;

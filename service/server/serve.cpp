@@ -72,7 +72,7 @@ jobs::Outcome<std::unique_ptr<rest::RestServer>> start_http(jobs::JobStore& stor
 int run_server(const ServerOptions& options, const std::string& program) {
   auto store = open_store(options);
   if (!store) return report(program, store.error());
-  Predictor predictor(options.worker);
+  Predictor predictor(options.worker, milliseconds_of(options.prediction_timeout_s));
   auto server = GrpcServer::start(
       **store, predictor, {options.grpc_address, options.max_scene_mib, {milliseconds_of(options.stall_timeout_s)}});
   if (!server) return report(program, server.error());

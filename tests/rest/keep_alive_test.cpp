@@ -42,7 +42,7 @@ class KeepAliveTest : public ::testing::Test {
   TemporaryFolder folder_;
   jobs::HeldWork work_;
   std::unique_ptr<jobs::JobStore, jobs::LetGo> store_;
-  Predictor predictor_{"no-worker"};
+  Predictor predictor_{"no-worker", std::chrono::milliseconds(1)};
   std::unique_ptr<rest::RestServer> server_;
   std::string path_;
 };

@@ -41,11 +41,11 @@ class PredictionTest : public RestTest {
                       pid_file().string() + "\nexec sleep 100000\n");
   }
 
-  void start_with_worker(const std::string& script) {
+  void start_with_worker(const std::string& script, const std::string& timeout_s = "86400") {
     const std::filesystem::path worker = folder_ / "worker.sh";
     std::ofstream(worker) << "#!/bin/sh\n" << script;
     std::filesystem::permissions(worker, std::filesystem::perms::owner_all);
-    start_rest({"--worker", worker.string()});
+    start_rest({"--worker", worker.string(), "--prediction-timeout", timeout_s});
   }
 
   std::filesystem::path pid_file() const { return folder_ / "pid"; }
@@ -102,6 +102,13 @@ TEST_F(PredictionTest, EndsWithTheServerWhichAnswersWithout) {
   EXPECT_FALSE(Json::parse(answer.body).contains("prediction"));
   EXPECT_EQ(server_->wait(), 0);
   EXPECT_NE(::kill(pid, 0), 0);
+}
+
+TEST_F(PredictionTest, IsGivenUpAfterAWhile) {
+  start_with_worker("exec sleep 100000\n", "0.1");
+  const HttpAnswer answer = post_json("/v1/simJobs", body());
+  EXPECT_EQ(answer.status, 200U);
+  EXPECT_FALSE(Json::parse(answer.body).contains("prediction"));
 }
 
 TEST_F(PredictionTest, IsLeftOutWhereTheWorkerFailsOrTalksNonsense) {
