@@ -2,7 +2,7 @@
 // A job that runs: reload, lost connection, cancel, list, delete.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { endlessScene, framesMade, getJob, openPage, shoot, startBrowser, startServer, submit, untilFrame, untilPlotted, untilProgress, untilState } from './support.mjs';
+import { endlessScene, framesMade, getJob, openPage, pictureFacts, shoot, startBrowser, startServer, submit, untilFrame, untilPlotted, untilProgress, untilState } from './support.mjs';
 import { startWire } from './wire.mjs';
 
 let server, browser, view, id;
@@ -24,6 +24,19 @@ test('it is followed live with progress', async () => {
   await untilState(page, 'Running');
   await untilProgress(page, /of 1000 s · frame \d+ of 100000 · .*(left|time left)/);  // asked for apart from the frames
   assert.equal(await page.getByRole('button', { name: 'Live' }).getAttribute('aria-pressed'), 'true');
+});
+
+test('it fills a picture that was narrow for a while', async () => {
+  const { page } = view;
+  const { box: [left, , right] } = await pictureFacts(page);
+  const narrowed = Number(await page.locator('canvas.stage').getAttribute('data-frame'));
+  await page.setViewportSize({ width: 60, height: 900 });
+  await untilFrame(page, narrowed + 2);
+  await page.setViewportSize({ width: 1280, height: 900 });
+  const widened = Number(await page.locator('canvas.stage').getAttribute('data-frame'));
+  await untilFrame(page, widened + 2);
+  const { box: [newLeft, , newRight] } = await pictureFacts(page);
+  assert.ok(newRight - newLeft > 0.7 * (right - left), `${newRight - newLeft} px of ${right - left}`);
 });
 
 test('a reload in the middle takes it up again, from the first frame on', async () => {
