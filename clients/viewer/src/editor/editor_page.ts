@@ -48,8 +48,10 @@ export function editorPage(copyOf?: string): Page {
     summary.scrollIntoView({ block: 'nearest' });
   };
 
+  /// What is typed and is no value: it is never sent.
+  const typed = (): FieldError[] => [...order.problems(), ...[...model.typed].map(([path, message]) => ({ path, message }))];
   const allErrors = (): FieldError[] =>
-    [...[...model.typed].map(([path, message]) => ({ path, message })), ...model.errors.value.filter(({ path }) => !model.typed.has(path))];
+    [...typed(), ...model.errors.value.filter(({ path }) => path === '' || !typed().some((wrong) => wrong.path === path))];
   const showAll = (): void => showErrors(element, summary, allErrors());
   const context: FormContext = {
     scene: () => model.scene.value,
@@ -67,6 +69,11 @@ export function editorPage(copyOf?: string): Page {
       showAll();
     },
   };
+  const order = orderFields((label) => {
+    model.errors.set(model.errors.value.filter(({ path }) => path !== label));
+    say('');
+    showAll();
+  });
   const chart = chartPanel({
     changed: (knit) => context.set('knit', knit, knit === undefined || !isObject(model.scene.value.knit)),
     undo: () => {
@@ -105,11 +112,11 @@ export function editorPage(copyOf?: string): Page {
   }
 
   async function send(validateOnly: boolean): Promise<void> {
-    if (model.typed.size > 0) {
+    if (typed().length > 0) {
       summary.focus();
       return;
     }
-    const empty = [...emptyFields(element), ...order.problems()];
+    const empty = emptyFields(element);
     if (empty.length > 0) return refuse(empty);
     const sent = model.scene.value;
     say(validateOnly ? 'Checking …' : 'Submitting …');
@@ -121,12 +128,11 @@ export function editorPage(copyOf?: string): Page {
       say(model.scene.value === sent ? 'The scene can be run.' : 'The scene has changed since it was checked.');
       if (!validateOnly) location.hash = `#/jobs/${jobId(job)}`;
     } catch (error) {
-      refuse(error instanceof ApiError ? fieldErrors(error) : [{ path: '', message: String(error) }]);
+      refuse(error instanceof ApiError ? fieldErrors(error) : [{ path: '', message: String(error), about: 'server' }]);
     } finally {
       setBusy(false);
     }
   }
-  const order = orderFields();
   const submit = button('Submit', () => void send(false), { class: 'primary', 'data-action': 'submit' });
   const check = button('Check', () => void send(true), { 'data-action': 'check' });
   function setBusy(busy: boolean): void {
