@@ -2,7 +2,7 @@
 import { fieldErrors, pathAndAncestors, type FieldError } from '../api/field_errors';
 import { ApiError } from '../api/api_error';
 import { jobId } from '../api/messages';
-import { artefactText, createSimJob, getSimJob, type Order } from '../api/sim_jobs';
+import { artefactText, createSimJob, getSimJob } from '../api/sim_jobs';
 import type { FormContext } from '../form/form_context';
 import { emptyFields, showErrors } from '../form/show_errors';
 import { textInput } from '../form/simple_fields';
@@ -14,6 +14,7 @@ import type { Page } from '../ui/page';
 import { chartPanel } from './chart_panel';
 import { jsonPanel } from './json_panel';
 import { orderFields, orderOf } from './order_fields';
+import { replacedDraft } from './replaced_draft';
 import { sceneForm, type OpenSections } from './scene_form';
 import { sceneMenu } from './scene_menu';
 import { SceneModel } from './scene_model';
@@ -29,7 +30,6 @@ export function editorPage(copyOf?: string): Page {
   const open: OpenSections = new Set(['Knit', 'Effects', 'Holds', 'Time and accuracy']);
   const summary = h('section', { class: 'error-summary', role: 'alert', 'aria-label': 'Problems', tabindex: -1, hidden: true });
   const status = h('p', { class: 'status', role: 'status' });
-  const replaced = h('p', { class: 'links', role: 'status', hidden: true });
   const formFrame = h('div', { class: 'form-frame' });
   const besideFrame = h('div', { class: 'form-frame' });
   const nameFrame = h('div', { class: 'name-frame' });
@@ -101,15 +101,10 @@ export function editorPage(copyOf?: string): Page {
     drawForm();
   }
 
-  /// Says that what was edited has made place for a copy.
-  function offerBack(before: Order): void {
-    replaced.hidden = false;
-    replaced.replaceChildren('This copy took the place of the scene that was edited here. ', button('Bring that back', () => {
-      model.undo();
-      order.show(before);
-      drawForm();
-    }, { class: 'small' }));
-  }
+  const replaced = replacedDraft((draft) => {
+    order.show(draft.order);
+    load(draft.scene);
+  });
 
   async function send(validateOnly: boolean): Promise<void> {
     if (typed().length > 0) {
@@ -145,13 +140,13 @@ export function editorPage(copyOf?: string): Page {
       tell('', problem);
     } });
   const element = h('div', { class: 'page editor-page' },
-    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), ...order.elements, check, submit), status, replaced, fault, summary,
+    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), ...order.elements, check, submit), status, replaced.element, fault, summary,
     h('div', { class: 'editor-columns' },
       h('div', { class: 'left' }, nameFrame, h('section', { class: 'panel', 'aria-label': 'Chart' }, h('h2', {}, 'Chart'), chart.element), besideFrame, json.element),
       formFrame));
   const left = { now: false };
   const stop = model.scene.subscribe((scene) => {
-    replaced.hidden = true;
+    replaced.changed(scene);
     chart.show(scene);
     json.show();
     say('');  // what was said was about another scene
@@ -162,11 +157,11 @@ export function editorPage(copyOf?: string): Page {
       if (left.now) return;
       const scene = readScene(text);
       const hadDraft = model.isDraft;
-      const before = order.order();
+      const before = { scene: model.scene.value, order: order.order() };
       load(isObject(scene.scene) ? scene.scene : scene);
       order.show(orderOf(job));
       history.replaceState(null, '', '#/new');  // a reload, and Back from the new job, lead to the draft: not to the copy anew
-      if (hadDraft) offerBack(before);
+      if (hadDraft) replaced.replace(before, model.scene.value);
     }).catch((error: unknown) => tell('', `The scene of ${copyOf} cannot be read: ${error instanceof Error ? error.message : String(error)}`));
   }
   return {
