@@ -26,6 +26,18 @@ test('it is followed live with progress', async () => {
   assert.equal(await page.getByRole('button', { name: 'Live' }).getAttribute('aria-pressed'), 'true');
 });
 
+test('it tells where its time goes, in shares of all of it', async () => {
+  const { page } = view;
+  const shares = page.getByRole('group', { name: 'Time goes to' });
+  await shares.getByText(/^factorisation \d+ %$/).waitFor();
+  const texts = await shares.locator('li:not(.time-title)').allTextContents();
+  const sum = texts.map((text) => Number(/ (\d+) %$/.exec(text)[1])).reduce((a, b) => a + b);
+  assert.ok(Math.abs(sum - 100) <= texts.length, texts.join());
+  assert.equal(await shares.locator('.time-part').count(), texts.length);
+  const { progress } = await getJob(server.address, id);
+  assert.ok(Object.keys(progress.wall_by_phase_s).length >= texts.length - 1);
+});
+
 test('it fills a picture that was narrow for a while', async () => {
   const { page } = view;
   const { box: [left, , right] } = await pictureFacts(page);
@@ -126,6 +138,8 @@ test('cancel stops it and keeps its frames', async () => {
   await page.getByRole('slider', { name: 'Frame' }).fill('1');
   assert.match(await page.textContent('.frame-place'), /^frame 1 of/);
   await page.getByRole('button', { name: 'Live' }).waitFor({ state: 'hidden' });
+  await page.getByRole('region', { name: 'Run' }).getByRole('group', { name: 'Time went to' }).waitFor();
+  assert.equal(await page.getByRole('group', { name: 'Time goes to' }).isVisible(), false);
 });
 
 test('of frames that come at once only the last is worked out, and nothing is drawn anew that is as it was', async () => {
