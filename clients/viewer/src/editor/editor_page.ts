@@ -12,6 +12,7 @@ import { readScene, sceneText } from '../scene/scene_file';
 import { button, h } from '../ui/dom';
 import type { Page } from '../ui/page';
 import { chartPanel } from './chart_panel';
+import { estimate } from './estimate';
 import { jsonPanel } from './json_panel';
 import { orderFields, orderOf } from './order_fields';
 import { replacedDraft } from './replaced_draft';
@@ -65,14 +66,22 @@ export function editorPage(copyOf?: string): Page {
     complain: (path, message) => {
       if (message === undefined) model.typed.delete(path);
       else model.typed.set(path, message);
-      if (message !== undefined) say('');
+      if (message !== undefined) {
+        say('');
+        cost.changed();
+      }
       showAll();
     },
   };
   const order = orderFields((label) => {
     model.errors.set(model.errors.value.filter(({ path }) => path !== label));
     say('');
+    cost.changed();
     showAll();
+  });
+  const cost = estimate(() => {
+    const wrong = [...allErrors().filter(({ about }) => about !== 'server'), ...emptyFields(element)];
+    return order.order().work === 'simulate' && wrong.length === 0 ? sceneText(model.scene.value) : undefined;
   });
   const chart = chartPanel({
     changed: (knit) => context.set('knit', knit, knit === undefined || !isObject(model.scene.value.knit)),
@@ -114,15 +123,18 @@ export function editorPage(copyOf?: string): Page {
     const empty = emptyFields(element);
     if (empty.length > 0) return refuse(empty);
     const sent = model.scene.value;
+    const tellCost = validateOnly ? cost.expect() : undefined;
     say(validateOnly ? 'Checking …' : 'Submitting …');
     setBusy(true);
     try {
       const job = await createSimJob(sceneText(sent), { order: order.order(), validateOnly, requestId: validateOnly ? '' : newRequestId() });
       model.errors.set([]);
       showAll();
+      tellCost?.(job.prediction);
       say(model.scene.value === sent ? 'The scene can be run.' : 'The scene has changed since it was checked.');
       if (!validateOnly) location.hash = `#/jobs/${jobId(job)}`;
     } catch (error) {
+      tellCost?.(undefined);
       refuse(error instanceof ApiError ? fieldErrors(error) : [{ path: '', message: String(error), about: 'server' }]);
     } finally {
       setBusy(false);
@@ -140,13 +152,14 @@ export function editorPage(copyOf?: string): Page {
       tell('', problem);
     } });
   const element = h('div', { class: 'page editor-page' },
-    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), ...order.elements, check, submit), status, replaced.element, fault, summary,
+    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), ...order.elements, check, submit), status, cost.element, replaced.element, fault, summary,
     h('div', { class: 'editor-columns' },
       h('div', { class: 'left' }, nameFrame, h('section', { class: 'panel', 'aria-label': 'Chart' }, h('h2', {}, 'Chart'), chart.element), besideFrame, json.element),
       formFrame));
   const left = { now: false };
   const stop = model.scene.subscribe((scene) => {
     replaced.changed(scene);
+    cost.changed();
     chart.show(scene);
     json.show();
     say('');  // what was said was about another scene
@@ -170,6 +183,7 @@ export function editorPage(copyOf?: string): Page {
     leave: () => {
       left.now = true;
       stop();
+      cost.leave();
       chart.leave();
     },
   };
