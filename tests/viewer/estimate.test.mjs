@@ -33,6 +33,9 @@ async function untilAsked(page, count) {
   while (asked.length < count) await page.waitForTimeout(20);
 }
 
+/// All that the page has asked until now is known: requests come in order.
+const askedAll = (page) => page.evaluate(async () => void await fetch('icon.svg'));
+
 async function type(page, label, text) {
   await page.getByLabel(label).fill(text);
   await page.getByLabel(label).press('Enter');
@@ -47,6 +50,7 @@ test('a pause after the last change asks once, and the real answer is shown with
     await type(page, 'Duration s', duration);
     await page.clock.runFor(900);
   }
+  await askedAll(page);
   assert.deepEqual(asked, []);
   assert.equal(await line(page).isVisible(), false);
   await page.clock.runFor(1000);
@@ -60,6 +64,7 @@ test('a pause after the last change asks once, and the real answer is shown with
   await told.getByText(/tried by the server/).waitFor();
   await shoot(page, 'estimate');
   await page.clock.runFor(60_000);
+  await askedAll(page);
   assert.equal(asked.length, 1, 'nothing changed');
   assert.deepEqual(faults, []);
 });
@@ -115,6 +120,7 @@ test('nothing is asked for a study, for what is no value, or from another page',
   await page.getByRole('link', { name: 'Jobs' }).click();
   await page.getByRole('heading', { name: 'Jobs' }).waitFor();
   await page.clock.runFor(5000);
+  await askedAll(page);
   assert.deepEqual(asked.flatMap(({ spec }) => (spec ? [spec] : [])), []);
   assert.deepEqual(faults, []);
   await close();

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { getJob, openPage, pictureFacts, shoot, startBrowser, startServer, untilPlotted, untilState } from './support.mjs';
+import { getJob, openPage, pictureFacts, shoot, smallScene, startBrowser, startServer, submit, untilPlotted, untilState } from './support.mjs';
 
 let server, browser, view;
 before(async () => {
@@ -243,8 +243,8 @@ test('a copy of the job is edited from its own scene', async () => {
   assert.notEqual(await page.getByLabel('Threads', { exact: true }).inputValue(), '3');
   await page.reload();
   await told.waitFor();
-  await copyOf(job);
-  await told.waitFor();
+  await copyOf(`${server.address}/#/jobs/${await submit(server.address, { ...smallScene, name: 'another', duration_s: 0.01 })}`);
+  await isNamed('another');
   await name.fill('second copy');
   await name.blur();
   await page.reload();

@@ -64,8 +64,9 @@ export function replacedDraft(bringBack: (draft: Draft) => void): ReplacedDraft 
     element,
     replace: (draft, copy) => {
       if (isSame(draft.scene, copy)) return;
-      const untouched = state.replaced && isSame(state.replaced.copy, draft.scene);  // nobody made that draft
-      set({ ...(untouched && state.replaced ? state.replaced : draft), copy });
+      const { replaced } = state;
+      const kept = replaced && isSame(replaced.copy, draft.scene) ? replaced : draft;  // nobody made a draft that is a mere copy
+      set(isSame(kept.scene, copy) ? undefined : { scene: kept.scene, order: kept.order, copy });
     },
     changed: (scene) => {
       if (scene === state.replaced?.scene) set(undefined);
