@@ -48,7 +48,8 @@ test('it fills a picture that was narrow for a while', async () => {
   const widened = Number(await page.locator('canvas.stage').getAttribute('data-frame'));
   await untilFrame(page, widened + 2);
   const { box: [newLeft, , newRight] } = await pictureFacts(page);
-  assert.ok(newRight - newLeft > 0.7 * (right - left), `${newRight - newLeft} px of ${right - left}`);
+  // Fabric that falls gets narrower by itself meanwhile; a camera that was left far away shows a sixteenth.
+  assert.ok(newRight - newLeft > 0.3 * (right - left), `${newRight - newLeft} px of ${right - left}`);
 });
 
 test('a reload in the middle takes it up again, from the first frame on', async () => {
