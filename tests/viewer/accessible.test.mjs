@@ -3,11 +3,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { axePath, openPage, pictureFacts, shoot, smallScene, startBrowser, startServer, submit, swing, untilEnded, untilPlotted, untilState } from './support.mjs';
+import { axePath, endlessScene, openPage, pictureFacts, shoot, smallScene, startBrowser, startServer, submit, swing, untilEnded, untilPlotted, untilState } from './support.mjs';
 
 const axe = readFileSync(axePath, 'utf8');
 const bodies = { colliders: { colliders: [{ sphere: { centre_m: [0.008, -0.012, -0.006], radius_m: 0.006 } }] } };
-let server, browser, id, study;
+let server, browser, id, study, running;
 before(async () => {
   server = await startServer();
   browser = await startBrowser();
@@ -42,6 +42,28 @@ const pages = [
     await page.getByLabel('Colour by').selectOption('slid');
     await page.getByRole('button', { name: 'Show' }).click();
   }],
+  ['estimate', '#/new', async (page) => {
+    await page.locator('.estimate > summary').getByText(/unknowns · about \d+ MB · about/).waitFor();
+    await page.locator('.estimate > summary').click();
+    await page.locator('.estimate dt').first().waitFor();
+  }],
+  ['order', () => `#/new/${id}`, async (page) => {
+    await page.waitForURL(/#\/new$/);
+    await page.locator('#field-name').fill('to be replaced');
+    await page.locator('#field-name').press('Enter');
+    await page.evaluate((copy) => { location.hash = `#/new/${copy}`; }, id);
+    await page.getByText('A copy took the place').waitFor();
+    await page.getByLabel('Work', { exact: true }).selectOption('study');
+    for (const label of ['Budget in s', 'Threads']) {
+      await page.getByLabel(label).fill('-1');
+      await page.getByLabel(label).press('Enter');
+    }
+    await page.getByText('This job has 2 problems').waitFor();
+  }],
+  ['running', async () => `#/jobs/${running = await submit(server.address, endlessScene)}`, async (page) => {
+    await page.locator('canvas.stage[data-drawn]').waitFor();
+    await page.getByRole('group', { name: 'Time goes to' }).waitFor();
+  }],
   ['study', () => `#/jobs/${study}`, (page) => page.locator('.study-report img').nth(1).waitFor()],
 ];
 const looks = [
@@ -55,7 +77,7 @@ for (const [look, options] of looks) {
   for (const [name, address, prepare] of pages) {
     test(`${name}, ${look}`, async () => {
       const { page, faults, close } = await openPage(browser, options);
-      await page.goto(`${server.address}/${typeof address === 'string' ? address : address()}`);
+      await page.goto(`${server.address}/${typeof address === 'string' ? address : await address()}`);
       await prepare(page);
       assert.deepEqual(await violations(page), []);
       const [wide, room] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
@@ -67,6 +89,7 @@ for (const [look, options] of looks) {
       await shoot(page, `${name}-${look}`, { fullPage: !(name === 'editor' && ['phone', 'landscape'].includes(look)) });
       assert.deepEqual(faults, []);
       await close();
+      if (name === 'running') await fetch(`${server.address}/v1/simJobs/${running}:cancel`, { method: 'POST' });
     });
   }
 }

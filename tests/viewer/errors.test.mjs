@@ -205,6 +205,75 @@ test('a size that no chart can have is a problem like any other, and nothing is 
   assert.deepEqual(faults, []);
 });
 
+test('what is wrong with the job beside its scene is told at its field, within the bounds of the server', async () => {
+  const { page, faults } = view;
+  await useJson(page, smallScene);
+  await page.getByLabel('Work', { exact: true }).selectOption('study');
+  const [threads, budget] = [page.getByLabel('Threads', { exact: true }), page.getByLabel('Budget in s')];
+  for (const [field, typed, said] of [[threads, '1025', 'is 1025, expected 0 to 1024'], [budget, '-0.5', 'is -0.5, expected a finite number >= 0']]) {
+    await field.fill(typed);
+    await field.press('Enter');
+    await page.locator('.error-summary a', { hasText: said }).waitFor();
+    assert.equal(await field.getAttribute('aria-invalid'), 'true');
+    const place = await field.getAttribute('aria-describedby');
+    assert.equal(await page.locator(`#${place}`).textContent(), said);
+    assert.ok(await page.locator(`#${place}`).isVisible());
+  }
+  assert.equal(await page.textContent('.error-summary h2'), 'This job has 2 problems');
+  const lines = await page.locator('.error-summary li').allTextContents();
+  assert.deepEqual(lines, ['Budget in s is -0.5, expected a finite number >= 0', 'Threads is 1025, expected 0 to 1024']);
+  const asked = [];
+  page.on('request', (request) => request.method() === 'POST' && asked.push(request.url()));
+  await page.getByRole('button', { name: 'Submit' }).click();
+  assert.equal(await page.evaluate(() => document.activeElement.className), 'error-summary', 'as for any other field');
+  assert.deepEqual(asked, []);
+  await page.locator('.error-summary a', { hasText: 'Threads is 1025' }).click();
+  assert.ok(await threads.evaluate((input) => input === document.activeElement));
+  await shoot(page, 'errors-order');
+  await page.getByLabel('Work', { exact: true }).selectOption('simulate');
+  assert.equal(await page.textContent('.error-summary h2'), 'This job has a problem', 'a simulation has no budget');
+  await page.getByLabel('Duration s').fill('0.2');
+  await page.getByLabel('Duration s').press('Enter');
+  await page.getByLabel('Numerics').selectOption('accuracy');
+  await page.getByLabel('Numerics').selectOption('');
+  assert.equal(await threads.getAttribute('aria-invalid'), 'true', 'until it is mended');
+  for (const right of ['0', '1024', '']) {
+    await threads.fill(right);
+    await threads.press('Enter');
+    assert.equal(await page.locator('.error-summary').isVisible(), false);
+    assert.equal(await threads.getAttribute('aria-invalid'), null);
+    await page.getByRole('button', { name: 'Check' }).click();
+    await page.getByText('The scene can be run.').waitFor();
+  }
+  assert.deepEqual(faults, []);
+});
+
+test('what the server alone refuses of the job is told at its field too, and goes when that changes', async () => {
+  const { page, faults } = view;
+  const refused = (violations) => (route) => (JSON.parse(route.request().postData()).spec.threads === undefined ? route.continue() : route.fulfill({ status: 400, json: {
+    code: 3, message: 'no', details: [{ '@type': 'type.googleapis.com/google.rpc.BadRequest', field_violations: violations }] } }));
+  await page.route('**/v1/simJobs', refused([{ field: 'spec.threads', description: 'is 3, expected 0 to 2' }, { field: 'spec.work', description: 'is missing' }]));
+  const threads = page.getByLabel('Threads', { exact: true });
+  await threads.fill('3');
+  await threads.press('Enter');
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'Threads').getByText('is 3, expected 0 to 2').waitFor();
+  await errorAt(page, 'Work').getByText('is missing').waitFor();
+  assert.equal(await page.getByLabel('Work', { exact: true }).getAttribute('aria-invalid'), 'true');
+  assert.doesNotMatch(await page.textContent('.error-summary'), /spec\./);
+  await threads.fill('');
+  await threads.press('Enter');
+  assert.equal(await errorAt(page, 'Threads').isVisible(), false);
+  assert.equal(await errorAt(page, 'Work').isVisible(), true);
+  await page.unroute('**/v1/simJobs');
+  await page.route('**/v1/simJobs', (route) => route.abort());
+  await page.getByRole('button', { name: 'Check' }).click();
+  await page.locator('.error-summary li', { hasText: 'the server cannot be reached' }).waitFor();
+  assert.equal(await page.textContent('.error-summary h2'), 'This did not work');
+  await page.unroute('**/v1/simJobs');
+  assert.deepEqual(faults, []);
+});
+
 const wrongPatterns = [
   [{ chart: { rows: 'KK' } }, 'knit.chart.rows is "KK", expected rows of K and P', ['knit.chart', 'rows is "KK", expected an array']],
   [{ chart: { rows: [null, null] } }, 'knit.chart.rows[0] is null, expected a row of K and P', ['knit.chart', 'rows[0] is null']],

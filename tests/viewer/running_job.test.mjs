@@ -2,7 +2,7 @@
 // A job that runs: reload, lost connection, cancel, list, delete.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { endlessScene, framesMade, getJob, openPage, shoot, startBrowser, startServer, submit, untilFrame, untilPlotted, untilProgress, untilState } from './support.mjs';
+import { endlessScene, framesMade, getJob, openPage, pictureFacts, shoot, startBrowser, startServer, submit, untilFrame, untilPlotted, untilProgress, untilState } from './support.mjs';
 import { startWire } from './wire.mjs';
 
 let server, browser, view, id;
@@ -24,6 +24,32 @@ test('it is followed live with progress', async () => {
   await untilState(page, 'Running');
   await untilProgress(page, /of 1000 s · frame \d+ of 100000 · .*(left|time left)/);  // asked for apart from the frames
   assert.equal(await page.getByRole('button', { name: 'Live' }).getAttribute('aria-pressed'), 'true');
+});
+
+test('it tells where its time goes, in shares of all of it', async () => {
+  const { page } = view;
+  const shares = page.getByRole('group', { name: 'Time goes to' });
+  await shares.getByText(/^factorisation \d+ %$/).waitFor();
+  const texts = await shares.locator('li:not(.time-title)').allTextContents();
+  const sum = texts.map((text) => Number(/ (\d+) %$/.exec(text)[1])).reduce((a, b) => a + b);
+  assert.ok(Math.abs(sum - 100) <= texts.length, texts.join());
+  assert.equal(await shares.locator('.time-part').count(), texts.length);
+  const { progress } = await getJob(server.address, id);
+  assert.ok(Object.keys(progress.wall_by_phase_s).length >= texts.length - 1);
+});
+
+test('it fills a picture that was narrow for a while', async () => {
+  const { page } = view;
+  const { box: [left, , right] } = await pictureFacts(page);
+  const narrowed = Number(await page.locator('canvas.stage').getAttribute('data-frame'));
+  await page.setViewportSize({ width: 60, height: 900 });
+  await untilFrame(page, narrowed + 2);
+  await page.setViewportSize({ width: 1280, height: 900 });
+  const widened = Number(await page.locator('canvas.stage').getAttribute('data-frame'));
+  await untilFrame(page, widened + 2);
+  const { box: [newLeft, , newRight] } = await pictureFacts(page);
+  // Fabric that falls gets narrower by itself meanwhile; a camera that was left far away shows a sixteenth.
+  assert.ok(newRight - newLeft > 0.3 * (right - left), `${newRight - newLeft} px of ${right - left}`);
 });
 
 test('a reload in the middle takes it up again, from the first frame on', async () => {
@@ -113,6 +139,8 @@ test('cancel stops it and keeps its frames', async () => {
   await page.getByRole('slider', { name: 'Frame' }).fill('1');
   assert.match(await page.textContent('.frame-place'), /^frame 1 of/);
   await page.getByRole('button', { name: 'Live' }).waitFor({ state: 'hidden' });
+  await page.getByRole('region', { name: 'Run' }).getByRole('group', { name: 'Time went to' }).waitFor();
+  assert.equal(await page.getByRole('group', { name: 'Time goes to' }).isVisible(), false);
 });
 
 test('of frames that come at once only the last is worked out, and nothing is drawn anew that is as it was', async () => {

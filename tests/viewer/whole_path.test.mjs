@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { getJob, openPage, pictureFacts, shoot, startBrowser, startServer, untilPlotted, untilState } from './support.mjs';
+import { getJob, openPage, pictureFacts, shoot, smallScene, startBrowser, startServer, submit, untilPlotted, untilState } from './support.mjs';
 
 let server, browser, view;
 before(async () => {
@@ -225,13 +225,61 @@ test('a copy of the job is edited from its own scene', async () => {
   await page.goBack();
   await isNamed('changed copy');
 
-  // Another copy takes its place, but it can be brought back.
-  await page.goto(job);
-  await page.getByRole('link', { name: 'Edit a copy' }).click();
-  await page.getByText('This copy took the place of the scene that was edited here.').waitFor();
+  // Another copy takes its place, but it can be brought back: after changes, reloads, and a second copy in place of the
+  // first.
+  const copyOf = async (address) => {
+    await page.goto(address);
+    await page.getByRole('link', { name: 'Edit a copy' }).click();
+    await page.waitForURL(/#\/new$/);
+  };
+  const told = page.getByText('A copy took the place of the scene that was edited here.');
+  const back = page.getByRole('button', { name: 'Bring that back' });
+  await page.getByLabel('Threads', { exact: true }).fill('3');
+  await page.getByLabel('Threads', { exact: true }).press('Enter');
+  await copyOf(job);
+  await told.waitFor();
+  await shoot(page, 'copy');
   assert.notEqual(await name.inputValue(), 'changed copy');
-  await page.getByRole('button', { name: 'Bring that back' }).click();
+  assert.notEqual(await page.getByLabel('Threads', { exact: true }).inputValue(), '3');
+  await page.reload();
+  await told.waitFor();
+  await copyOf(`${server.address}/#/jobs/${await submit(server.address, { ...smallScene, name: 'another', duration_s: 0.01 })}`);
+  await isNamed('another');
+  await name.fill('second copy');
+  await name.blur();
+  await page.reload();
+  await isNamed('second copy');
+  await back.click();
   await isNamed('changed copy');
-  await page.getByText('This copy took the place').waitFor({ state: 'hidden' });
+  assert.equal(await page.getByLabel('Threads', { exact: true }).inputValue(), '3');
+  await told.waitFor({ state: 'hidden' });
+  await page.reload();
+  await isNamed('changed copy');
+  assert.equal(await back.count(), 0);
+
+  // A draft that somebody made takes the place of an older one; it can be dismissed.
+  await copyOf(job);
+  await name.fill('third copy');
+  await name.blur();
+  await copyOf(job);
+  await back.click();
+  await isNamed('third copy');
+  await copyOf(job);
+  await page.getByRole('button', { name: 'Dismiss' }).click();
+  await told.waitFor({ state: 'hidden' });
+  await page.reload();
+  await name.waitFor();
+  assert.equal(await back.count(), 0);
+
+  // It is not offered where it is as the copy is, nor once Undo has brought it back.
+  await copyOf(job);
+  assert.equal(await back.count(), 0);
+  await name.fill('undone');
+  await name.blur();
+  await copyOf(job);
+  await told.waitFor();
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await isNamed('undone');
+  await told.waitFor({ state: 'hidden' });
   assert.deepEqual(faults, []);
 });

@@ -17,6 +17,28 @@ export interface JobProgress {
   error_estimate_m?: number;
   share_done?: number;
   doing?: string;
+  wall_by_phase_s?: Record<string, number>;
+}
+
+export type PredictionBasis = 'BASIS_UNSPECIFIED' | 'WHOLE_RUN' | 'FIRST_MOMENTS' | 'CANNED_RUN';
+
+export interface PredictedRun {
+  tolerance_m?: number;
+  wall_s?: number;
+  steps?: string;
+  newton_iterations?: string;
+  basis?: PredictionBasis;
+  until_s?: number;
+  basis_tolerance_m?: number;
+}
+
+export interface Prediction {
+  unknowns?: number;
+  matrix_entries?: string;
+  memory_bytes?: string;
+  as_it_is?: PredictedRun;
+  to_tolerance?: PredictedRun[];
+  run_fails?: string;
 }
 
 export interface StudyMessage {
@@ -39,6 +61,7 @@ export interface SimJob {
   cancel_requested?: boolean;
   study?: StudyMessage;  // one of the two
   simulate?: object;
+  prediction?: Prediction;  // in answers to validate_only
 }
 
 export interface ListSimJobsResponse {

@@ -17,9 +17,9 @@ async function request(path: string, init: RequestInit = {}): Promise<Response> 
   return response;
 }
 
-async function json<T>(path: string, method = 'GET', body?: string): Promise<T> {
+async function json<T>(path: string, method = 'GET', body?: string, signal?: AbortSignal): Promise<T> {
   const headers: Record<string, string> = body === undefined ? {} : { 'Content-Type': 'application/json' };
-  const response = await request(path, { method, headers, body });
+  const response = await request(path, { method, headers, body, signal });
   return (await response.json()) as T;
 }
 
@@ -42,12 +42,14 @@ export interface CreateOptions {
   order?: Order;  // default: simulate
   requestId?: string;
   validateOnly?: boolean;
+  signal?: AbortSignal;
 }
 
 /// `sceneText` is the text of a scene file: it goes to the server as it is, so that the server judges its numbers.
 export function createSimJob(sceneText: string, options: CreateOptions = {}): Promise<SimJob> {
   const rest = { request_id: options.requestId ?? '', validate_only: options.validateOnly ?? false };
-  return json(root, 'POST', `{"spec":{"scene":${sceneText},${orderText(options.order ?? { work: 'simulate' })}},${JSON.stringify(rest).slice(1)}`);
+  return json(root, 'POST', `{"spec":{"scene":${sceneText},${orderText(options.order ?? { work: 'simulate' })}},${JSON.stringify(rest).slice(1)}`,
+    options.signal);
 }
 
 export function getSimJob(id: string): Promise<SimJob> {

@@ -24,6 +24,7 @@ export class FabricView {
     this.shown = first;
     this.stage.scene.add(this.tubes.mesh);
     this.stage.onDraw((light) => (this.tubes.material.uniforms.lightFrom.value as THREE.Vector3).copy(light));
+    this.stage.onResize(() => this.look(this.view));
     this.look('angled');
   }
 

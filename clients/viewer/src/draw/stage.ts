@@ -28,6 +28,7 @@ export class Stage {
   private moved = false;  // by a person, since the last look
   private frameRequest = 0;
   private beforeDraw: (light: THREE.Vector3) => void = () => undefined;
+  private afterResize: () => void = () => undefined;
 
   /// Throws when the browser has no WebGL 2.
   constructor(private readonly canvas: HTMLCanvasElement) {
@@ -48,6 +49,11 @@ export class Stage {
 
   onDraw(callback: (light: THREE.Vector3) => void): void {
     this.beforeDraw = callback;
+  }
+
+  /// `callback` is for a camera that no person has moved.
+  onResize(callback: () => void): void {
+    this.afterResize = callback;
   }
 
   invalidate(): void {
@@ -71,6 +77,7 @@ export class Stage {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    if (!this.moved) this.afterResize();
     this.invalidate();
   }
 

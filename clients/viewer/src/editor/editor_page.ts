@@ -2,7 +2,7 @@
 import { fieldErrors, pathAndAncestors, type FieldError } from '../api/field_errors';
 import { ApiError } from '../api/api_error';
 import { jobId } from '../api/messages';
-import { artefactText, createSimJob, getSimJob, type Order } from '../api/sim_jobs';
+import { artefactText, createSimJob, getSimJob } from '../api/sim_jobs';
 import type { FormContext } from '../form/form_context';
 import { emptyFields, showErrors } from '../form/show_errors';
 import { textInput } from '../form/simple_fields';
@@ -12,8 +12,10 @@ import { readScene, sceneText } from '../scene/scene_file';
 import { button, h } from '../ui/dom';
 import type { Page } from '../ui/page';
 import { chartPanel } from './chart_panel';
+import { estimate } from './estimate';
 import { jsonPanel } from './json_panel';
 import { orderFields, orderOf } from './order_fields';
+import { replacedDraft } from './replaced_draft';
 import { sceneForm, type OpenSections } from './scene_form';
 import { sceneMenu } from './scene_menu';
 import { SceneModel } from './scene_model';
@@ -29,7 +31,6 @@ export function editorPage(copyOf?: string): Page {
   const open: OpenSections = new Set(['Knit', 'Effects', 'Holds', 'Time and accuracy']);
   const summary = h('section', { class: 'error-summary', role: 'alert', 'aria-label': 'Problems', tabindex: -1, hidden: true });
   const status = h('p', { class: 'status', role: 'status' });
-  const replaced = h('p', { class: 'links', role: 'status', hidden: true });
   const formFrame = h('div', { class: 'form-frame' });
   const besideFrame = h('div', { class: 'form-frame' });
   const nameFrame = h('div', { class: 'name-frame' });
@@ -48,8 +49,10 @@ export function editorPage(copyOf?: string): Page {
     summary.scrollIntoView({ block: 'nearest' });
   };
 
+  /// What is typed and is no value: it is never sent.
+  const typed = (): FieldError[] => [...order.problems(), ...[...model.typed].map(([path, message]) => ({ path, message }))];
   const allErrors = (): FieldError[] =>
-    [...[...model.typed].map(([path, message]) => ({ path, message })), ...model.errors.value.filter(({ path }) => !model.typed.has(path))];
+    [...typed(), ...model.errors.value.filter(({ path }) => path === '' || !typed().some((wrong) => wrong.path === path))];
   const showAll = (): void => showErrors(element, summary, allErrors());
   const context: FormContext = {
     scene: () => model.scene.value,
@@ -63,10 +66,23 @@ export function editorPage(copyOf?: string): Page {
     complain: (path, message) => {
       if (message === undefined) model.typed.delete(path);
       else model.typed.set(path, message);
-      if (message !== undefined) say('');
+      if (message !== undefined) {
+        say('');
+        cost.changed();
+      }
       showAll();
     },
   };
+  const order = orderFields((label) => {
+    model.errors.set(model.errors.value.filter(({ path }) => path !== label));
+    say('');
+    cost.changed();
+    showAll();
+  });
+  const cost = estimate(() => {
+    const wrong = [...allErrors().filter(({ about }) => about !== 'server'), ...emptyFields(element)];
+    return order.order().work === 'simulate' && wrong.length === 0 ? sceneText(model.scene.value) : undefined;
+  });
   const chart = chartPanel({
     changed: (knit) => context.set('knit', knit, knit === undefined || !isObject(model.scene.value.knit)),
     undo: () => {
@@ -94,39 +110,36 @@ export function editorPage(copyOf?: string): Page {
     drawForm();
   }
 
-  /// Says that what was edited has made place for a copy.
-  function offerBack(before: Order): void {
-    replaced.hidden = false;
-    replaced.replaceChildren('This copy took the place of the scene that was edited here. ', button('Bring that back', () => {
-      model.undo();
-      order.show(before);
-      drawForm();
-    }, { class: 'small' }));
-  }
+  const replaced = replacedDraft((draft) => {
+    order.show(draft.order);
+    load(draft.scene);
+  });
 
   async function send(validateOnly: boolean): Promise<void> {
-    if (model.typed.size > 0) {
+    if (typed().length > 0) {
       summary.focus();
       return;
     }
-    const empty = [...emptyFields(element), ...order.problems()];
+    const empty = emptyFields(element);
     if (empty.length > 0) return refuse(empty);
     const sent = model.scene.value;
+    const tellCost = validateOnly ? cost.expect() : undefined;
     say(validateOnly ? 'Checking …' : 'Submitting …');
     setBusy(true);
     try {
       const job = await createSimJob(sceneText(sent), { order: order.order(), validateOnly, requestId: validateOnly ? '' : newRequestId() });
       model.errors.set([]);
       showAll();
+      tellCost?.(job.prediction);
       say(model.scene.value === sent ? 'The scene can be run.' : 'The scene has changed since it was checked.');
       if (!validateOnly) location.hash = `#/jobs/${jobId(job)}`;
     } catch (error) {
-      refuse(error instanceof ApiError ? fieldErrors(error) : [{ path: '', message: String(error) }]);
+      tellCost?.(undefined);
+      refuse(error instanceof ApiError ? fieldErrors(error) : [{ path: '', message: String(error), about: 'server' }]);
     } finally {
       setBusy(false);
     }
   }
-  const order = orderFields();
   const submit = button('Submit', () => void send(false), { class: 'primary', 'data-action': 'submit' });
   const check = button('Check', () => void send(true), { 'data-action': 'check' });
   function setBusy(busy: boolean): void {
@@ -139,13 +152,14 @@ export function editorPage(copyOf?: string): Page {
       tell('', problem);
     } });
   const element = h('div', { class: 'page editor-page' },
-    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), ...order.elements, check, submit), status, replaced, fault, summary,
+    h('div', { class: 'page-head' }, h('h1', {}, 'New job'), menu, h('span', { class: 'push' }), ...order.elements, check, submit), status, cost.element, replaced.element, fault, summary,
     h('div', { class: 'editor-columns' },
       h('div', { class: 'left' }, nameFrame, h('section', { class: 'panel', 'aria-label': 'Chart' }, h('h2', {}, 'Chart'), chart.element), besideFrame, json.element),
       formFrame));
   const left = { now: false };
   const stop = model.scene.subscribe((scene) => {
-    replaced.hidden = true;
+    replaced.changed(scene);
+    cost.changed();
     chart.show(scene);
     json.show();
     say('');  // what was said was about another scene
@@ -156,11 +170,11 @@ export function editorPage(copyOf?: string): Page {
       if (left.now) return;
       const scene = readScene(text);
       const hadDraft = model.isDraft;
-      const before = order.order();
+      const before = { scene: model.scene.value, order: order.order() };
       load(isObject(scene.scene) ? scene.scene : scene);
       order.show(orderOf(job));
       history.replaceState(null, '', '#/new');  // a reload, and Back from the new job, lead to the draft: not to the copy anew
-      if (hadDraft) offerBack(before);
+      if (hadDraft) replaced.replace(before, model.scene.value);
     }).catch((error: unknown) => tell('', `The scene of ${copyOf} cannot be read: ${error instanceof Error ? error.message : String(error)}`));
   }
   return {
@@ -169,6 +183,7 @@ export function editorPage(copyOf?: string): Page {
     leave: () => {
       left.now = true;
       stop();
+      cost.leave();
       chart.leave();
     },
   };

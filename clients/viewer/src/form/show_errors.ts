@@ -19,7 +19,7 @@ function clear(form: HTMLElement): void {
 }
 
 function markInvalid(place: HTMLElement): void {
-  const controls = /(^| )(field|effect|size)( |$)/.test(place.className)
+  const controls = /(^| )(field|effect|size|order-field)( |$)/.test(place.className)
     ? place.querySelectorAll<HTMLElement>(':scope > input, :scope > select, :scope > textarea, :scope > .vector > input, :scope > .effect-head > input')
     : [];
   for (const control of controls) control.setAttribute('aria-invalid', 'true');
@@ -31,6 +31,12 @@ function reveal(place: HTMLElement): void {
 
 function focusOf(place: HTMLElement): HTMLElement {
   return place.querySelector<HTMLElement>('input, select, textarea, canvas') ?? place;
+}
+
+export function headline(errors: readonly FieldError[]): string {
+  if (errors.every(({ about }) => about === 'server')) return 'This did not work';
+  const what = errors.every(({ about }) => about === undefined) ? 'scene' : 'job';
+  return errors.length === 1 ? `This ${what} has a problem` : `This ${what} has ${errors.length} problems`;
 }
 
 /// Shows every error at its field, or at the nearest place around it, and lists all of them in `summary` with links.
@@ -59,6 +65,5 @@ export function showErrors(form: HTMLElement, summary: HTMLElement, errors: read
     } }, text));
   });
   summary.hidden = errors.length === 0;
-  const title = errors.length === 1 ? 'This scene has a problem' : `This scene has ${errors.length} problems`;
-  summary.replaceChildren(h('h2', {}, title), h('ul', {}, ...lines));
+  summary.replaceChildren(h('h2', {}, headline(errors)), h('ul', {}, ...lines));
 }

@@ -3,6 +3,7 @@ import { shortNumber } from '../scene/number_text';
 import { h } from '../ui/dom';
 import type { JobModel } from './job_model';
 import { spanText } from './job_text';
+import { timeShares, timeSharesView } from './time_shares';
 
 interface Summary {
   loops?: number;
@@ -13,6 +14,7 @@ interface Summary {
   rejected_steps?: number;
   newton_iterations?: number;
   wall_s?: number;
+  wall_by_phase_s?: Record<string, number> | null;  // null: of a study
   max_stretch?: number | null;
   error_estimate_m?: number | null;
   predictable_until_s?: number | null;
@@ -63,11 +65,14 @@ function rowsOf(summary: Summary): [string, string][] {
 /// What the run cost, once it has ended.
 export function summaryPanel(model: JobModel): HTMLElement {
   const numbers = h('dl', { class: 'numbers' });
-  const element = h('section', { class: 'panel', 'aria-label': 'Run', hidden: true }, h('h2', {}, 'Run'), numbers);
+  const shares = timeSharesView('Time went to');
+  const element = h('section', { class: 'panel', 'aria-label': 'Run', hidden: true }, h('h2', {}, 'Run'), numbers, shares.element);
   model.job.subscribe((job) => {
     if (!job?.summary_json) return;
     element.hidden = false;
-    numbers.replaceChildren(...rowsOf(JSON.parse(job.summary_json) as Summary).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));
+    const summary = JSON.parse(job.summary_json) as Summary;
+    shares.show(timeShares(summary.wall_by_phase_s, summary.wall_s));
+    numbers.replaceChildren(...rowsOf(summary).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));
   });
   return element;
 }

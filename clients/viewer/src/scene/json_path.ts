@@ -47,3 +47,11 @@ function replaced(value: Json | undefined, keys: Key[], wanted: Json | undefined
 export function withValue(root: JsonObject, path: string, wanted: Json | undefined): JsonObject {
   return replaced(root, keysOf(path), wanted) as JsonObject;
 }
+
+/// Whether two values say the same; the order of members does not count.
+export function isSame(one: Json, other: Json): boolean {
+  if (Array.isArray(one)) return Array.isArray(other) && one.length === other.length && one.every((item, index) => isSame(item, other[index]));
+  if (!isObject(one) || !isObject(other)) return one === other;
+  const keys = Object.keys(one);
+  return keys.length === Object.keys(other).length && keys.every((key) => Object.hasOwn(other, key) && isSame(one[key], other[key]));
+}

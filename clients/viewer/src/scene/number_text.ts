@@ -45,3 +45,9 @@ export function shortNumber(value: number, least = 0): string {
   if (size !== 0 && (size < 1e-3 || size >= 1e5)) return value.toExponential(2).replace('e+', 'e');
   return String(Number(value.toPrecision(3)));
 }
+
+/// A time that is known roughly: "12 s", "1.5 min", "20 h".
+export function roughTime(seconds: number): string {
+  const [unit, length] = seconds < 90 ? ['s', 1] : seconds < 5400 ? ['min', 60] : seconds < 129_600 ? ['h', 3600] : ['days', 86_400];
+  return `${Number((seconds / (length as number)).toPrecision(2))} ${unit}`;
+}
