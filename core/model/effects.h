@@ -117,8 +117,8 @@ struct SelfCollisionEffect {
 
 /// Which effects, of those listed and those with defaults, matter here is found before the run (study/choose_effects.h).
 struct AutoEffects {
-  std::optional<double> tolerance_m;  // a difference of positions that does not matter > 0; default the yarn's radius
-  std::optional<double> window_s;     // simulated to find out > 0; default a tenth of the duration, at least ten steps
+  std::optional<double> tolerance_m;  // a difference of positions that does not matter > 0; default: effects.proto
+  std::optional<double> window_s;     // simulated to find out > 0; default: effects.proto
 };
 
 struct Effects {

@@ -121,6 +121,8 @@ void add_missing(const Scene& scene, std::vector<std::string>& remarks) {
   missing(on.inertia && weight && !on.colliders && falls > 0 && !on_yarn, "colliders",
           all_fall ? "nothing is held, and the fabric falls onto nothing"
                    : "a piece of yarn that nothing holds falls onto nothing");
+  missing(on.inertia && weight && !on.self_collision && falls > 0 && !all_fall, "self_collision",
+          "a piece of yarn that nothing holds falls through the others, should any lie in its way");
   missing(on.inertia && !on.self_collision && pieces.size() > 1 &&
               std::any_of(pieces.begin(), pieces.end(), [](const Piece& piece) { return piece.thrown; }),
           "self_collision", "yarn that is thrown passes through other yarn");

@@ -12,8 +12,8 @@ struct EffectVerdict {
   std::string effect;
   bool kept = false;
   std::string why;
-  std::optional<double> difference_m;  // largest, of any node at any frame of the window, with and without; absent:
-                                       // not observed
+  std::optional<double> difference_m;  // largest, of any node at any frame of the window, with and without, up to where
+                                       // it proved to matter; absent: not observed
 };
 
 /// How the effects of a run were chosen: from what was seen in a window of time, which proves nothing about what comes

@@ -19,6 +19,9 @@ namespace {
 constexpr std::array kTried{"sliding",          "wrapping", "bending",  "inertia", "contact_length",
                             "sliding_friction", "damping",  "air_drag", "wind",    "gravity"};
 
+/// Newton iterations that a trial may always take; beyond, and beyond what it could save, it is given up.
+constexpr double kLeastEffort = 100.0;
+
 }  // namespace
 
 Scene with_candidates(const Scene& scene) {
@@ -41,8 +44,10 @@ class Chooser {
       : threads_(threads), should_stop_(should_stop), on_trial_(on_trial), chosen_{with_candidates(scene), {}, false} {
     EffectChoice& choice = chosen_.choice;
     const AutoEffects& asked = *scene.effects.automatic;
-    choice.tolerance_m = asked.tolerance_m.value_or(scene.yarn.radius_m);
-    const double usual = std::max(scene.duration_s / 10.0, 10.0 * span_of(scene).step_s);
+    const auto* fixed = std::get_if<FixedNumerics>(&scene.numerics);
+    const auto* accurate = std::get_if<AccuracyNumerics>(&scene.numerics);
+    choice.tolerance_m = asked.tolerance_m.value_or(accurate ? accurate->tolerance_m : scene.yarn.radius_m);
+    const double usual = std::max(scene.duration_s / 10.0, fixed ? 10.0 * fixed->time_step_s : 0.0);
     choice.window_s = std::min(asked.window_s.value_or(usual), scene.duration_s);
   }
 
@@ -133,7 +138,7 @@ class Chooser {
   }
 
   static double cost_of(const MeasuredRun& run) {
-    return static_cast<double>(run.summary.newton_iterations) * static_cast<double>(run.summary.nonzeros);
+    return static_cast<double>(run.effort) * static_cast<double>(run.summary.nonzeros);
   }
 
   void try_the_others() {
@@ -150,7 +155,7 @@ class Chooser {
     chosen_.cancelled = all.summary.status == RunStatus::cancelled;
     options.record = nullptr;
     options.reference = &frames;
-    options.max_effort = 2 * all.effort + 100;  // what takes more is no cheaper
+    options.max_difference_m = chosen_.choice.tolerance_m;
     double cost = cost_of(all);
     for (const char* name : kTried) {
       const EffectEntry& effect = *find_effect(name);
@@ -166,6 +171,7 @@ class Chooser {
       Effects without = effects();
       remove_effect(without, effect);
       tell(std::string("without ") + name);
+      options.max_cost = 1.25 * cost + kLeastEffort * static_cast<double>(all.summary.nonzeros);
       const MeasuredRun run = measure_run(window_of(without), options);
       judge(effect, run, cost);
     }
@@ -179,12 +185,12 @@ class Chooser {
   void judge(const EffectEntry& effect, const MeasuredRun& run, double& cost) {
     if (should_stop_ && should_stop_()) {
       chosen_.cancelled = true;
+    } else if (run.difference.max_m > chosen_.choice.tolerance_m) {  // tried no farther
+      verdict(effect.name, true, "it matters in the window", run.difference.max_m);
     } else if (run.summary.status != RunStatus::succeeded) {
       verdict(effect.name, true,
               run.summary.status == RunStatus::failed ? "the window does not run without it"
-                                                      : "the window is dearer without it");
-    } else if (run.difference.max_m > chosen_.choice.tolerance_m) {
-      verdict(effect.name, true, "it matters in the window", run.difference.max_m);
+                                                      : "it saves more than it costs: the window is dearer without it");
     } else if (cost_of(run) > cost) {
       verdict(effect.name, true, "it does not matter in the window, but saves more than it costs",
               run.difference.max_m);

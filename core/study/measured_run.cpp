@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/simulation.h"
 #include "study/heap.h"
 
 namespace slipstitch {
@@ -20,7 +21,8 @@ class DifferenceSum {
     }
     count_ += static_cast<double>(coords) / 3.0;
   }
-  FrameDifference result() const { return {std::sqrt(largest_), count_ > 0.0 ? std::sqrt(sum_ / count_) : 0.0}; }
+  double largest() const { return std::sqrt(largest_); }
+  FrameDifference result() const { return {largest(), count_ > 0.0 ? std::sqrt(sum_ / count_) : 0.0}; }
 
  private:
   double largest_ = 0.0, sum_ = 0.0, count_ = 0.0;
@@ -65,6 +67,12 @@ MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options) {
   double recorded = 0.0;
   const double before = heap_in_use();
   Eigen::Index position_coords = 0;
+  double nonzeros = 0.0;
+  const auto goes_too_far = [&] {
+    return (options.max_effort > 0 && measured.effort > options.max_effort) ||
+           (options.max_cost > 0.0 && static_cast<double>(measured.effort) * nonzeros > options.max_cost) ||
+           (options.max_difference_m > 0.0 && difference.largest() > options.max_difference_m);
+  };
   RunHooks hooks;
   hooks.on_header = [&](const FrameHeader& header) { position_coords = 3 * header.topology.num_nodes; };
   hooks.on_frame = [&](const Frame& frame) {
@@ -82,9 +90,9 @@ MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options) {
   };
   hooks.should_stop = [&] {
     ++measured.effort;
-    return (options.max_effort > 0 && measured.effort > options.max_effort) ||
-           (options.should_stop && options.should_stop());
+    return goes_too_far() || (options.should_stop && options.should_stop());
   };
+  hooks.on_start = [&](Simulation& sim) { nonzeros = sim.num_nonzeros(); };
   hooks.on_model = options.on_model;
   std::optional<FrameTracer> tracer;
   if (options.trace != nullptr) trace_frames(tracer.emplace(scene, *options.trace), hooks);

@@ -38,6 +38,8 @@ struct MeasureOptions {
   FrameTrace* trace = nullptr;                    // filled; costs an evaluation of the energies a frame
   std::function<void(Model&)> on_model;           // as in RunHooks; may be empty
   long max_effort = 0;                            // cancels the run beyond; 0: never
+  double max_cost = 0.0;                          // cancels it beyond this effort times nonzeros; 0: never
+  double max_difference_m = 0.0;                  // cancels it once it differs by more; 0: never
   std::function<void(double share)> on_progress;  // of the run done, 0 to 1; may be empty
   std::function<bool()> should_stop;              // may be empty
 };

@@ -182,6 +182,7 @@ ReachPart free_part(const Model& model, const YarnGraph& graph, const PartFacts&
   return part;
 }
 
+/// Where it does not simply fall.
 std::string why_free_parts_go_anywhere(const Effects& on, const PartFacts& facts) {
   if (!facts.held.empty()) return {};
   if (!on.inertia) return "without inertia nothing carries a free part";
@@ -212,6 +213,9 @@ Reach bound_reach(Simulation& sim, const RunSpan& span) {
   if (!reach.no_bound.empty()) return reach;
   const YarnGraph graph = graph_of(model.topology);
   const double energy = start_energy(sim);
+  // What one part gives another has no bound here: it falls from somewhere, and bounces off.
+  if (model.effects.self_collision && graph.num_parts > 1) reach.no_bound = "parts of the fabric can push each other";
+  if (!reach.no_bound.empty()) return reach;
   for (const PartFacts& facts : facts_of(model, graph)) {
     reach.no_bound = why_free_parts_go_anywhere(model.effects, facts);
     if (!reach.no_bound.empty()) return reach;
@@ -233,6 +237,8 @@ Reach reach_at_twice_its_length(Simulation& sim, const RunSpan& span) {
   for (const ScriptedNodes& script : model.handles) way = std::max(way, farthest_way(model, script, span.duration_s));
   for (const PartFacts& facts : facts_of(model, graph)) {
     if (reach.no_bound.empty()) reach.no_bound = why_free_parts_go_anywhere(model.effects, facts);
+    if (facts.held.empty() && model.effects.self_collision && graph.num_parts > 1)
+      reach.no_bound = "another part can push a free one";
     if (!reach.no_bound.empty()) return reach;
     ReachPart part = facts.held.empty() ? free_part(model, graph, facts, energy) : ReachPart{};
     part.held = !facts.held.empty();

@@ -36,13 +36,14 @@ struct RunSpan {
 /// rest adds energy. A part that is held stays within a path of its held nodes; one that is free stays within a path of
 /// its centre of mass, which falls freely. Where yarn slides a path can take in all yarn of its part, so the bound is
 /// wide. There is none where something does work that cannot be told before: moving handles, wind, shrinkage; nor for a
-/// free part with loads or without inertia; nor without stretch; nor with an integrator that may add energy.
+/// free part with loads or without inertia; nor for parts that can push each other; nor without stretch; nor with an
+/// integrator that may add energy.
 Reach bound_reach(Simulation& sim, const RunSpan& span);
 
 RunSpan span_of(const Scene& scene);
 
 /// Where it can be if no yarn is ever twice as long as it is at rest, whatever work is done. None without stretch, with
-/// shrinkage, or for a free part that wind or loads move or that has no inertia.
+/// shrinkage, or for a free part that wind, loads or other parts move or that has no inertia.
 Reach reach_at_twice_its_length(Simulation& sim, const RunSpan& span);
 
 /// Whether a body stays outside of the reach for the whole duration; false where that cannot be shown.

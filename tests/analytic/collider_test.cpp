@@ -67,6 +67,29 @@ TEST(Slope, SlidesAboveItAsCoulombSays) {
   }
 }
 
+// From rest on a belt that runs at v: carried by mu g until it moves along, it is v^2/(2 mu g) behind by then.
+TEST(Belt, CarriesWhatLiesOnItAlong) {
+  const double mu = 0.3, v = 0.2, end = 0.15;
+  Scene scene = yarn_on_slope(0.0, mu);
+  Collider& belt = scene.effects.colliders->colliders[0];
+  belt.shape = Box{{0.0, -0.01, 0.0}, {0.2, 0.01, 0.2}, Vec3::Zero()};
+  belt.motion = {{0.0, Vec3::Zero(), Vec3::Zero()}, {1.0, v * Vec3::UnitX(), Vec3::Zero()}};
+  EXPECT_TRUE(check(scene).empty());
+  Simulation sim(prepare(scene).model);
+  const int nodes = sim.model().topology.num_nodes;
+  const auto mean_x = [&](const VecX& of) {
+    double sum = 0.0;
+    for (int n = 0; n < nodes; ++n) sum += of[3 * n] / nodes;
+    return sum;
+  };
+  const double start = mean_x(sim.state().q);
+  for (int k = 0; k < 600; ++k) ASSERT_TRUE(sim.step(end / 600.0, {}, {}).accepted) << k;
+  const double behind = v * end - (mean_x(sim.state().q) - start), expected = v * v / (2.0 * mu * kG);
+  std::printf("%.3f mm behind the belt, expected %.3f mm\n", 1e3 * behind, 1e3 * expected);
+  EXPECT_NEAR(behind, expected, 0.01 * expected);
+  EXPECT_NEAR(mean_x(sim.state().v), v, 1e-3 * v);
+}
+
 TEST(Slope, HasFrictionStencilsOnlyWhereThereIsFriction) {
   for (double mu : {0.0, 0.3}) {
     Simulation sim(prepare(yarn_on_slope(0.1, mu)).model);

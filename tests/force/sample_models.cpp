@@ -104,12 +104,14 @@ Model clasped_yarns(const Effects& effects) {
   return model;
 }
 
-Model everything_on() {
-  Model model = clasped_yarns(all_effects());
+Model loaded(const Effects& effects) {
+  Model model = clasped_yarns(effects);
   model.load_nodes = {5, 7};
   model.load_forces = {Vec3(1e-3, 2e-3, -1e-3), Vec3(0.0, -1e-3, 3e-3)};
   return model;
 }
+
+Model everything_on() { return loaded(all_effects()); }
 
 Model everything_off() { return clasped_yarns({}); }
 

@@ -17,7 +17,9 @@ Effects all_effects();
 /// With colliders a dynamic sphere lies on node 6; its centre is node 8.
 Model clasped_yarns(const Effects& effects);
 
-/// The clasped yarns with every effect and a dead load, and with none.
+/// The clasped yarns with a dead load.
+Model loaded(const Effects& effects);
+/// With every effect and the load, and with none of either.
 Model everything_on();
 Model everything_off();
 

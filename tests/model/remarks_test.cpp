@@ -220,6 +220,7 @@ TEST(Remarks, SeeThePieceThatNothingHolds) {
   Scene scene = two_yarns();
   scene.effects.gravity.emplace();
   EXPECT_TRUE(says(scene, "a piece of yarn that nothing holds falls onto nothing"));
+  EXPECT_TRUE(says(scene, "effects.self_collision is probably missing"));
   Scene other = scene;
   other.handles.push_back(Handle{YarnPoint{1, 1}, {}, false});
   EXPECT_FALSE(says(other, "falls onto nothing"));
@@ -229,6 +230,7 @@ TEST(Remarks, SeeThePieceThatNothingHolds) {
   other = scene;
   other.effects.self_collision.emplace();  // it may fall on the other yarn
   EXPECT_FALSE(says(other, "falls onto nothing"));
+  EXPECT_FALSE(says(other, "self_collision is probably"));
 }
 
 TEST(Remarks, KnowThatThrownYarnPassesThroughOther) {

@@ -40,7 +40,8 @@ TEST(ChooseEffects, KeepsWhatMattersAndDropsWhatDoesNot) {
   EXPECT_DOUBLE_EQ(chosen.choice.tolerance_m, 1e-3);
   const EffectVerdict* gravity = verdict_on(chosen.choice, "gravity");
   ASSERT_TRUE(gravity && gravity->kept && gravity->difference_m);
-  EXPECT_NEAR(*gravity->difference_m, 0.5 * 9.81 * 0.05 * 0.055, 3e-4);  // less what the air takes
+  // Of the first frame at which it is above the tolerance; less what the air takes.
+  EXPECT_NEAR(*gravity->difference_m, 0.5 * 9.81 * 0.0125 * 0.0175, 1e-4);
   ASSERT_TRUE(verdict_on(chosen.choice, "wrapping"));
   EXPECT_NE(verdict_on(chosen.choice, "wrapping")->why.find("only stitches wrap"), std::string::npos);
   for (const EffectVerdict& verdict : chosen.choice.verdicts)
@@ -56,6 +57,14 @@ TEST(ChooseEffects, HoldsTheTolerance) {
   const ChosenScene strict = choose_effects(scene, 1, {});
   EXPECT_TRUE(strict.scene.effects.air_drag);
   EXPECT_DOUBLE_EQ(strict.choice.window_s, 0.1);
+}
+
+TEST(ChooseEffects, HoldsTheToleranceThatTheSceneAsksFor) {
+  Scene scene = falling_yarn();
+  scene.numerics = AccuracyNumerics{1e-5};
+  const EffectChoice choice = choose_effects(scene, 1, {}).choice;
+  EXPECT_DOUBLE_EQ(choice.tolerance_m, 1e-5);
+  EXPECT_DOUBLE_EQ(choice.window_s, 0.01);  // a tenth: its steps have no length to go by
 }
 
 TEST(ChooseEffects, DropsCollidersOnlyByABoundOverTheWholeRun) {

@@ -113,6 +113,20 @@ TEST(Reach, HasNoBoundWhereWorkIsDoneThatNobodyKnows) {
   EXPECT_NE(reach_of(scene).no_bound, "");
 }
 
+// A yarn that flies against a held one comes back, and a held one is hit by what falls on it.
+TEST(Reach, HasNoBoundWherePartsCanPushEachOther) {
+  Scene scene = hanging_yarn();
+  BareYarn thrown = scene.yarns[0];
+  for (Vec3& point : thrown.points) point += 0.05 * Vec3::UnitZ();
+  thrown.velocity_m_per_s = -2.0 * Vec3::UnitZ();
+  scene.yarns.push_back(thrown);
+  EXPECT_EQ(reach_of(scene).no_bound, "") << "they pass through each other";
+  scene.effects.self_collision.emplace();
+  EXPECT_NE(reach_of(scene).no_bound, "");
+  Simulation sim(prepare(scene).model);
+  EXPECT_NE(reach_at_twice_its_length(sim, span_of(scene)).no_bound, "");
+}
+
 TEST(Reach, HasNoBoundWhereTheIntegratorMayAddEnergy) {
   Scene scene = hanging_yarn();
   scene.numerics = AccuracyNumerics{1e-3};
