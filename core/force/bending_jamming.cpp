@@ -44,6 +44,31 @@ BendFunction jammed_bend(const Jet2& G, double theta, double kappa, double W, co
   return b;
 }
 
+/// Of the visits on either side of visit i that refinement did not add; 0 at a yarn's end. [m]
+double arc_between_coarse(const Topology& topology, int i) {
+  int before = i - 1, behind = i + 1;
+  while (before >= 0 && topology.extra(before)) --before;
+  while (behind < topology.num_visits() && topology.extra(behind)) ++behind;
+  const auto v = static_cast<std::size_t>(i);
+  if (before < 0 || behind == topology.num_visits()) return 0.0;
+  if (topology.segment_kind[static_cast<std::size_t>(before)] == SegmentKind::none ||
+      topology.segment_kind[v] == SegmentKind::none)
+    return 0.0;
+  return topology.rest_arc[static_cast<std::size_t>(behind)] - topology.rest_arc[static_cast<std::size_t>(before)];
+}
+
+/// Arc length at rest over the bend at visit i of the yarn without extra nodes, so that they switch nothing off; at one
+/// of them in between its neighbours'.
+double coarse_bend_arc(const Topology& topology, int i) {
+  if (!topology.extra(i)) return arc_between_coarse(topology, i);
+  int before = i, behind = i;
+  while (topology.extra(before)) --before;
+  while (topology.extra(behind)) ++behind;
+  const double W0 = arc_between_coarse(topology, before), W1 = arc_between_coarse(topology, behind);
+  if (W0 == 0.0 || W1 == 0.0) return std::max(W0, W1);
+  return W0 + (W1 - W0) * (i - before) / (behind - before);
+}
+
 }  // namespace
 
 double bending_jamming_energy(const JammingParameters& p, double kappa_j, const Vec<11>& q, Vec<11>* g, Mat<11>* hess) {
@@ -79,7 +104,7 @@ BendingJamming::BendingJamming(const Model& model) {
   parameters_ = {model.yarn.bending_nm2, std::log(effect->max_factor), effect->full_at};
   for_each_owned_bend(model.topology, [&](int, int i) {
     coords_.push_back(bend_coords(model.topology, i));
-    kappa_j_.push_back(kPi / (rest_length(model.topology, i - 1) + rest_length(model.topology, i)));
+    kappa_j_.push_back(kPi / coarse_bend_arc(model.topology, i));
   });
 }
 

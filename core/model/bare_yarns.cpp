@@ -50,6 +50,11 @@ void append_yarns(const Topology& more, Topology& topology) {
   for (const int first : more.yarn_first) topology.yarn_first.push_back(first + visits);
   for (const int node : more.visit_node) topology.visit_node.push_back(node + topology.num_nodes);
   join(topology.visit_slides, more.visit_slides);
+  if (!topology.visit_extra.empty() || !more.visit_extra.empty()) {
+    topology.visit_extra.resize(idx(visits), 0);
+    join(topology.visit_extra, more.visit_extra);
+    topology.visit_extra.resize(idx(topology.num_visits()), 0);
+  }
   join(topology.segment_kind, more.segment_kind);
   join(topology.rest_arc, more.rest_arc);
   join(topology.yarn_material, more.yarn_material);

@@ -4,6 +4,8 @@
 namespace slipstitch {
 namespace {
 
+constexpr int kMostExtraNodes = 8;
+
 // What reads patterns names the row; here only what it cannot have let through.
 void check_pattern(const Pattern& pattern, const SceneLimits& limits, Checker& check) {
   const long stitches = static_cast<long>(pattern.courses) * pattern.wales;
@@ -59,6 +61,8 @@ void check_knit(const Knit& knit, const SceneLimits& limits, Checker& check) {
   check_gauge(knit.gauge, check);
   check_placement(knit.placement, check);
   check.not_negative("knit.noise_m", knit.noise_m);
+  if (knit.refine < 0 || knit.refine > kMostExtraNodes)
+    check.fail("knit.refine", std::to_string(knit.refine), "0 to " + std::to_string(kMostExtraNodes));
 }
 
 }  // namespace slipstitch

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "model/loop_run.h"
+#include "model/refine.h"
 
 namespace slipstitch {
 namespace {
@@ -22,6 +23,8 @@ class RepeatBuilder {
     close_yarns();
     add_stitches(pattern);
     mark_loop_segments();
+    patch_.num_masters = kNodesPerStitch * cell.stitches();
+    if (cell.extra_nodes > 0) add_extra_nodes();
     place();
   }
 
@@ -122,6 +125,71 @@ class RepeatBuilder {
     }
   }
 
+  // Free segments are those that start at odd places in the loop.
+  int master_between(int coarse_visit, int piece) const {
+    const int in_row = kVisitsPerStitch * wales_;
+    const int course = coarse_visit / (in_row + 2), in_period = coarse_visit % (in_row + 2) - 1;
+    const int segment = (course - 1) * in_row + in_period;
+    return kNodesPerStitch * cell_.stitches() + segment / 2 * cell_.extra_nodes + piece - 1;
+  }
+
+  void add_extra_nodes() {
+    const Topology coarse = topology();
+    const std::vector<int> master_of = patch_.visit_master;
+    const std::vector<double> offset_of = patch_.visit_arc_offset;
+    Refined refined = refine(coarse, cell_.extra_nodes);
+    std::vector<int> fine_visit(idx(coarse.num_visits()));
+    for (std::size_t j = 0; j < refined.piece.size(); ++j)
+      if (refined.piece[j] == 0) fine_visit[idx(refined.coarse_visit[j])] = static_cast<int>(j);
+    patch_.visit_master.clear();
+    patch_.visit_arc_offset.clear();
+    for (std::size_t j = 0; j < refined.piece.size(); ++j) {
+      const std::size_t i = idx(refined.coarse_visit[j]);
+      const int piece = refined.piece[j], master = master_of[i];
+      patch_.visit_master.push_back(fine_visit[idx(master)] + piece);
+      patch_.visit_arc_offset.push_back(offset_of[i]);
+      if (piece == 0) continue;
+      const auto &shift = patch_.node_shift[idx(coarse.visit_node[i])],
+                 &of_master = patch_.node_shift[idx(coarse.visit_node[idx(master)])];
+      patch_.node_master.push_back(master_between(master, piece));
+      patch_.node_shift.push_back({shift[0] - of_master[0], shift[1] - of_master[1]});
+    }
+    start_arc_ = along(refined, start_arc_, cell_.extra_nodes);
+    topology() = std::move(refined.topology);
+    patch_.num_masters += kVisitsPerStitch / 2 * cell_.stitches() * cell_.extra_nodes;
+    patch_.extra_nodes = cell_.extra_nodes;
+    masters_first();
+  }
+
+  // Gives the repeat's own nodes their masters' numbers, and the others those behind, in their order.
+  void masters_first() {
+    const std::vector<int> master = patch_.node_master;
+    const auto shift = patch_.node_shift;
+    std::vector<int> number(master.size());
+    int next = patch_.num_masters;
+    for (std::size_t n = 0; n < number.size(); ++n)
+      number[n] = shift[n] == std::array<int, 2>{0, 0} ? master[n] : next++;
+    for (std::size_t n = 0; n < number.size(); ++n) {
+      patch_.node_master[idx(number[n])] = master[n];
+      patch_.node_shift[idx(number[n])] = shift[n];
+    }
+    const auto renumber = [&](int& node) {
+      if (node >= 0) node = number[idx(node)];
+    };
+    for (int& node : topology().visit_node) renumber(node);
+    for (StitchContact& contact : topology().contacts)
+      for (int* node : {&contact.q0, &contact.q1, &contact.q4, &contact.q5, &contact.q2, &contact.q3}) renumber(*node);
+    for (Stitch& stitch : topology().stitches)
+      for (int& node : stitch.node) renumber(node);
+  }
+
+  Vec3 master_position(int master) const {
+    const int extra = master - kNodesPerStitch * cell_.stitches();
+    if (extra < 0) return cell_.node_position[idx(master)];
+    const int segment = 2 * (extra / cell_.extra_nodes) + 1;
+    return cell_.between[idx(segment * cell_.extra_nodes + extra % cell_.extra_nodes)];
+  }
+
   void place() {
     patch_.courses = courses_;
     patch_.wales = wales_;
@@ -131,8 +199,8 @@ class RepeatBuilder {
     q.resize(topology().num_coords());
     for (int n = 0; n < topology().num_nodes; ++n) {
       const auto shift = patch_.node_shift[idx(n)];
-      q.segment<3>(topology().x_coord(n)) = cell_.node_position[idx(patch_.node_master[idx(n)])] +
-                                            shift[0] * cell_.period_course + shift[1] * cell_.period_wale;
+      q.segment<3>(topology().x_coord(n)) =
+          master_position(patch_.node_master[idx(n)]) + shift[0] * cell_.period_course + shift[1] * cell_.period_wale;
     }
     for (int i = 0; i < topology().num_visits(); ++i) q[topology().arc_coord(i)] = start_arc_[idx(i)];
   }
@@ -151,6 +219,7 @@ void standardise(RestCell& cell) {
   cell.period_course = turn * cell.period_course;
   cell.period_wale = turn * cell.period_wale;
   for (Vec3& x : cell.node_position) x = turn * x;
+  for (Vec3& x : cell.between) x = turn * x;
 
   const auto& x = cell.node_position;
   const Vec3 mean = std::accumulate(x.begin(), x.end(), Vec3(Vec3::Zero())) / static_cast<double>(x.size());
@@ -158,6 +227,7 @@ void standardise(RestCell& cell) {
   const auto lowest = std::min_element(x.begin(), x.end(), [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
   const Vec3 move(0.5 * cell.period_course.x() / cell.repeat.wales - first.x(), -lowest->y(), -mean.z());
   for (Vec3& position : cell.node_position) position += move;
+  for (Vec3& position : cell.between) position += move;
 }
 
 }  // namespace
@@ -178,10 +248,17 @@ RestCell cell_from_patch(const PeriodicPatch& patch, const VecX& q, const Vec3& 
   const auto arc = [&](int visit) {
     return q[topology.arc_coord(patch.visit_master[idx(visit)])] + patch.visit_arc_offset[idx(visit)];
   };
+  cell.extra_nodes = patch.extra_nodes;
   for (int i = 0; i < topology.num_visits(); ++i) {
-    if (!topology.owned(i)) continue;
-    cell.rest_length.push_back(topology.rest_arc[idx(i) + 1] - topology.rest_arc[idx(i)]);
-    cell.start_length.push_back(arc(i + 1) - arc(i));
+    if (!topology.owned(i) || topology.extra(i)) continue;
+    int next = i + 1;
+    while (topology.extra(next)) ++next;
+    cell.rest_length.push_back(topology.rest_arc[idx(next)] - topology.rest_arc[idx(i)]);
+    cell.start_length.push_back(arc(next) - arc(i));
+    for (int piece = 1; piece <= cell.extra_nodes; ++piece) {
+      const int node = topology.visit_node[idx(next > i + 1 ? i + piece : i)];
+      cell.between.push_back(q.segment<3>(topology.x_coord(node)));
+    }
   }
   standardise(cell);
   return cell;

@@ -4,6 +4,7 @@
 #include "model/knit_layout.h"
 #include "model/knit_placement.h"
 #include "model/loop_run.h"
+#include "model/refine.h"
 
 namespace slipstitch {
 namespace {
@@ -13,16 +14,14 @@ std::size_t idx(int i) { return static_cast<std::size_t>(i); }
 class KnitBuilder {
  public:
   KnitBuilder(const Pattern& pattern, bool has_tails, const RestCell& cell)
-      : pattern_(pattern),
-        has_tails_(has_tails),
-        cell_(cell),
-        layout_(pattern, cell),
-        runs_(pattern.cells.size()) {
+      : pattern_(pattern), has_tails_(has_tails), cell_(cell), layout_(pattern, cell), runs_(pattern.cells.size()) {
     lay_yarn();
     add_stitches();
     add_clasps();
     add_bind_off();
     mark_segments(topology_);
+    positions_ = layout_.positions();
+    if (cell.extra_nodes > 0) add_extra_nodes();
   }
 
   // Arc lengths of `q` are the start's, positions `x`.
@@ -34,11 +33,14 @@ class KnitBuilder {
     return placed;
   }
 
-  const std::vector<Vec3>& positions() const { return layout_.positions(); }
+  const std::vector<Vec3>& positions() const { return positions_; }
 
  private:
+  /// From one visit to the next.
   struct ArcStep {
     double rest, start;
+    int course = 0, wale = 0, segment = -1;  // of the cell, tiled; -1: not of it
+    bool along = true;                       // the yarn runs in the geometric order
   };
 
   int stitch_index(int course, int wale) const { return (course - 1) * pattern_.wales + wale - 1; }
@@ -48,6 +50,7 @@ class KnitBuilder {
     if (!start_arc_.empty()) {
       rest_arc_ += step.rest;
       step.start += start_arc_.back();
+      steps_.push_back(step);
     }
     add_visit(topology_, node, layout_.in_clasp(node), rest_arc_);
     start_arc_.push_back(step.start);
@@ -64,18 +67,18 @@ class KnitBuilder {
     visit(node, step);
   }
 
-  ArcStep from_cell(int course, int wale, int segment) const {
+  ArcStep from_cell(int course, int wale, int segment, int direction) const {
     const std::size_t i = idx(cell_.stitch_at(course, wale) * kVisitsPerStitch + segment);
-    return {cell_.rest_length[i], cell_.start_length[i]};
+    return {cell_.rest_length[i], cell_.start_length[i], course, wale, segment, direction > 0};
   }
 
   // The segment from the visit before position k of a loop, in the direction of the yarn. k is the loop's first
   // visit: the sinker from the neighbour.
   ArcStep step_to(int course, int wale, int k, int direction) const {
     const int segment = direction > 0 ? k - 1 : k;  // in geometric order; 7 is the sinker on the right
-    if (segment < 0) return from_cell(course, wale - 1, kVisitsPerStitch - 1);
+    if (segment < 0) return from_cell(course, wale - 1, kVisitsPerStitch - 1, direction);
     const bool at_bind_off = course == pattern_.courses && segment >= 1 && segment <= 5;
-    if (!at_bind_off) return from_cell(course, wale, segment);
+    if (!at_bind_off) return from_cell(course, wale, segment, direction);
     return measured(layout_.loop_node(course, wale, segment), layout_.loop_node(course, wale, segment + 1));
   }
 
@@ -154,12 +157,34 @@ class KnitBuilder {
     }
   }
 
+  // Where the cell has them, else on a straight line.
+  Vec3 place_between(int i, int piece) const {
+    const ArcStep& step = steps_[idx(i)];
+    if (step.segment >= 0)
+      return cell_.position_between(step.course, step.wale, step.segment,
+                                    step.along ? piece : cell_.extra_nodes + 1 - piece);
+    const Vec3 &from = positions_[idx(topology_.visit_node[idx(i)])],
+               &to = positions_[idx(topology_.visit_node[idx(i) + 1])];
+    return from + piece / (cell_.extra_nodes + 1.0) * (to - from);
+  }
+
+  void add_extra_nodes() {
+    Refined refined = refine(topology_, cell_.extra_nodes);
+    positions_.resize(idx(topology_.num_nodes));
+    for (std::size_t j = 0; j < refined.piece.size(); ++j)
+      if (refined.piece[j] > 0) positions_.push_back(place_between(refined.coarse_visit[j], refined.piece[j]));
+    start_arc_ = along(refined, start_arc_, cell_.extra_nodes);
+    topology_ = std::move(refined.topology);
+  }
+
   const Pattern& pattern_;
   const bool has_tails_;
   const RestCell& cell_;
   KnitLayout layout_;
   std::vector<LoopRun> runs_;  // by stitch
   std::vector<double> start_arc_;
+  std::vector<ArcStep> steps_;  // behind each visit but the last
+  std::vector<Vec3> positions_;
   double rest_arc_ = 0.0;
   Topology topology_;
 };

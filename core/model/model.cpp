@@ -13,7 +13,7 @@ PlacedTopology build(const Scene& scene, const RestCell* rest) {
   PlacedTopology placed = build_bare_yarns(scene);
   if (scene.knit) {
     const Knit& knit = *scene.knit;
-    append(build_knit(knit, rest ? *rest : drawn_cell(knit.pattern, knit.gauge, scene.yarn)), placed);
+    append(build_knit(knit, rest ? *rest : drawn_cell(knit.pattern, knit.gauge, scene.yarn, knit.refine)), placed);
   }
   return placed;
 }

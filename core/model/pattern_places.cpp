@@ -20,11 +20,11 @@ void PatternPlaces::Place::add(const Stitch& stitch) {
 
 PatternPlaces::PatternPlaces(const Topology& topology) : topology_(topology) {
   find_places();
+  extend_along_yarns();
   for (std::size_t v = 0; v + 1 < place_.size(); ++v) {
     const Place &here = place_[v], &next = place_[v + 1];
     if (yarn_[v] == yarn_[v + 1] && !here.empty() && !next.empty() && apart(here.wale, next.wale) > 1) round_ = true;
   }
-  extend_along_yarns();
 }
 
 void PatternPlaces::find_places() {

@@ -44,23 +44,36 @@ void place_nodes(const DrawnLoop& loop, const Signs& signs, RestCell& cell) {
   }
 }
 
-// Lengths of the polyline's segments; returns their sum.
-double measure_segments(RestCell& cell) {
-  double total = 0.0;
+// Calls f(from, to) with the ends of every segment of the polyline, in the cell's order.
+template <class F>
+void for_each_segment(const RestCell& cell, F&& f) {
   for (int c = 1; c <= cell.repeat.courses; ++c) {
     for (int w = 1; w <= cell.repeat.wales; ++w) {
       for (std::size_t k = 0; k < kVisitsPerStitch; ++k) {
         const LoopNode from = kLoopNodes[k], to = kLoopNodes[(k + 1) % kVisitsPerStitch];
         const int next_wale = k + 1 < kVisitsPerStitch ? w : w + 1;
-        const double length = (cell.position(c + to.course_above, next_wale, to.base) -
-                               cell.position(c + from.course_above, w, from.base))
-                                  .norm();
-        cell.rest_length.push_back(length);
-        total += length;
+        f(cell.position(c + from.course_above, w, from.base), cell.position(c + to.course_above, next_wale, to.base));
       }
     }
   }
+}
+
+// Lengths of the polyline's segments; returns their sum.
+double measure_segments(RestCell& cell) {
+  double total = 0.0;
+  for_each_segment(cell, [&](const Vec3& from, const Vec3& to) {
+    cell.rest_length.push_back((to - from).norm());
+    total += cell.rest_length.back();
+  });
   return total;
+}
+
+void place_between(int extra_nodes, RestCell& cell) {
+  cell.extra_nodes = extra_nodes;
+  for_each_segment(cell, [&](const Vec3& from, const Vec3& to) {
+    for (int piece = 1; piece <= extra_nodes; ++piece)
+      cell.between.push_back(from + piece / (extra_nodes + 1.0) * (to - from));
+  });
 }
 
 double true_length(const DrawnLoop& loop, const Signs& signs) {
@@ -80,13 +93,21 @@ int RestCell::stitch_at(int course, int wale) const {
   return floor_mod(course - 1, repeat.courses) * repeat.wales + floor_mod(wale - 1, repeat.wales);
 }
 
-Vec3 RestCell::position(int course, int wale, BaseNode node) const {
-  const std::size_t master = static_cast<std::size_t>(kNodesPerStitch * stitch_at(course, wale) + node);
-  return node_position[master] + floor_div(wale - 1, repeat.wales) * period_course +
-         floor_div(course - 1, repeat.courses) * period_wale;
+Vec3 RestCell::shift_of(int course, int wale) const {
+  return floor_div(wale - 1, repeat.wales) * period_course + floor_div(course - 1, repeat.courses) * period_wale;
 }
 
-RestCell drawn_cell(const Pattern& pattern, const Gauge& gauge, const YarnMaterial& yarn) {
+Vec3 RestCell::position(int course, int wale, BaseNode node) const {
+  const std::size_t master = static_cast<std::size_t>(kNodesPerStitch * stitch_at(course, wale) + node);
+  return node_position[master] + shift_of(course, wale);
+}
+
+Vec3 RestCell::position_between(int course, int wale, int segment, int piece) const {
+  const int s = kVisitsPerStitch * stitch_at(course, wale) + segment;
+  return between[static_cast<std::size_t>(s * extra_nodes + piece - 1)] + shift_of(course, wale);
+}
+
+RestCell drawn_cell(const Pattern& pattern, const Gauge& gauge, const YarnMaterial& yarn, int extra_nodes) {
   const DrawnLoop loop = loop_of(gauge, yarn.radius_m);
   RestCell cell;
   cell.repeat = smallest_repeat(pattern);
@@ -95,6 +116,7 @@ RestCell drawn_cell(const Pattern& pattern, const Gauge& gauge, const YarnMateri
   const Signs signs{pattern, cell.repeat};
   place_nodes(loop, signs, cell);
   const double drawn = measure_segments(cell);
+  place_between(extra_nodes, cell);
   const double yarn_length = true_length(loop, signs);
   cell.density_scale = yarn_length / drawn;
   if (gauge.yarn_per_stitch_m) {

@@ -40,16 +40,24 @@ struct RestCell {
   /// Arc length of the segments that start at the loop's nodes in geometric order, the last one being the sinker to
   /// the right neighbour. rest: what the force terms take as L; start: where the yarn lies now. (8 * stitches) [m]
   std::vector<double> rest_length, start_length;
+  /// Nodes in every free segment besides its ends, evenly spaced in arc length: of the segment s, as counted above,
+  /// at between[s * extra_nodes], in geometric order; those of contact segments are not used.
+  int extra_nodes = 0;
+  std::vector<Vec3> between;  // (8 * stitches * extra_nodes)
   double density_scale = 1.0;  // 1/c_L = true yarn length / length of the polyline
 
   int stitches() const { return repeat.courses * repeat.wales; }
   /// Stitch of the repeat that the 1-based course and wale (any integers) fall on.
   int stitch_at(int course, int wale) const;
+  /// By which the repeat that a stitch of the tiled plane lies in is moved.
+  Vec3 shift_of(int course, int wale) const;
   /// Position of a base node of the tiled plane.
   Vec3 position(int course, int wale, BaseNode node) const;
+  /// Position of the extra node `piece`, 1 to extra_nodes, of a segment of the tiled plane.
+  Vec3 position_between(int course, int wale, int segment, int piece) const;
 };
 
-/// The unrelaxed repeat: classical loops in cells of the gauge's size.
-RestCell drawn_cell(const Pattern& pattern, const Gauge& gauge, const YarnMaterial& yarn);
+/// The unrelaxed repeat: classical loops in cells of the gauge's size, the extra nodes on straight lines.
+RestCell drawn_cell(const Pattern& pattern, const Gauge& gauge, const YarnMaterial& yarn, int extra_nodes = 0);
 
 }  // namespace slipstitch

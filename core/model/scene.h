@@ -36,6 +36,7 @@ struct Knit {
   bool relax_repeat = true;     // start from the relaxed periodic repeat; false: the drawn loops
   double noise_m = 0.0;         // uniform noise per coordinate on start positions, amplitude >= 0
   std::uint64_t noise_seed = 0;
+  int refine = 0;               // nodes more in every free segment of the yarn, 0 to 8
   bool ends_woven_in = false;   // true: no tails, knit_topology.h
 };
 

@@ -55,6 +55,7 @@ struct Topology {
   std::vector<int> visit_node;                 // (num_visits)
   std::vector<std::uint8_t> visit_slides;      // 1: arc length is an unknown when sliding is on (num_visits)
   std::vector<std::uint8_t> visit_owned;       // 0: image in a periodic repeat; empty: all owned (num_visits)
+  std::vector<std::uint8_t> visit_extra;       // 1: its node only bends free yarn, refine.h; empty: none (num_visits)
   std::vector<SegmentKind> segment_kind;       // of segment i (num_visits)
   std::vector<double> rest_arc;                // arc length of visit i at rest [m] (num_visits)
   std::vector<int> yarn_material;              // (num_yarns)
@@ -69,6 +70,7 @@ struct Topology {
   int num_coords() const { return 3 * num_nodes + num_visits(); }
   int x_coord(int node) const { return 3 * node; }
   int arc_coord(int visit) const { return 3 * num_nodes + visit; }
+  bool extra(int visit) const { return !visit_extra.empty() && visit_extra[static_cast<std::size_t>(visit)] != 0; }
   bool owned(int visit) const { return visit_owned.empty() || visit_owned[static_cast<std::size_t>(visit)] != 0; }
 };
 

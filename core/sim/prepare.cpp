@@ -14,7 +14,7 @@ Prepared prepare(const Scene& scene, const std::function<bool()>& should_stop) {
   const Knit& knit = *scene.knit;
   RestCell cell;
   if (knit.relax_repeat && scene.effects.stretch && scene.effects.bending) {
-    RelaxedRepeat relaxed = relax_repeat(knit.pattern, knit.gauge, scene.yarn, scene.effects, kRelaxTolerance, should_stop);
+    RelaxedRepeat relaxed = relax_repeat(knit, scene.yarn, scene.effects, kRelaxTolerance, should_stop);
     prepared.cancelled = relaxed.newton.status == NewtonStatus::cancelled;
     if (prepared.cancelled) return prepared;
     if (relaxed.newton.status != NewtonStatus::converged) {
@@ -24,7 +24,7 @@ Prepared prepare(const Scene& scene, const std::function<bool()>& should_stop) {
     }
     cell = std::move(relaxed.cell);
   } else {
-    cell = drawn_cell(knit.pattern, knit.gauge, scene.yarn);
+    cell = drawn_cell(knit.pattern, knit.gauge, scene.yarn, knit.refine);
   }
   prepared.model = compile(scene, &cell);
   return prepared;

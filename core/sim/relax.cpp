@@ -4,6 +4,7 @@
 #include <map>
 
 #include "sim/step_objective.h"
+#include "sim/stored_energy.h"
 
 namespace slipstitch {
 namespace {
@@ -26,7 +27,7 @@ struct Entry {
 class PeriodicUnknowns {
  public:
   explicit PeriodicUnknowns(const PeriodicPatch& patch)
-      : patch_(patch), periods_(3 * kNodesPerStitch * patch.courses * patch.wales) {}
+      : patch_(patch), periods_(3 * patch.num_masters) {}
 
   DofMap map() const {
     const Topology& topo = patch_.placed.topology;
@@ -75,9 +76,9 @@ class PeriodicUnknowns {
 
 }  // namespace
 
-RelaxedRepeat relax_repeat(const Pattern& pattern, const Gauge& gauge, const YarnMaterial& yarn, const Effects& effects,
+RelaxedRepeat relax_repeat(const Knit& knit, const YarnMaterial& yarn, const Effects& effects,
                            double relative_tolerance, const std::function<bool()>& should_stop) {
-  const PeriodicPatch patch = build_repeat(pattern, drawn_cell(pattern, gauge, yarn));
+  const PeriodicPatch patch = build_repeat(knit.pattern, drawn_cell(knit.pattern, knit.gauge, yarn, knit.refine));
   Model model;
   model.topology = patch.placed.topology;
   model.yarn = yarn;
@@ -104,6 +105,9 @@ RelaxedRepeat relax_repeat(const Pattern& pattern, const Gauge& gauge, const Yar
   result.residual_n = result.newton.max_gradient;
   VecX q;
   expand(map, y, q);
+  State state;
+  state.q = q;
+  result.energies_j = stored_energies(forces, state, term_energies(forces, q));
   result.cell = cell_from_patch(patch, q, unknowns.period_course(y), unknowns.period_wale(y));
   return result;
 }

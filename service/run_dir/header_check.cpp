@@ -29,7 +29,8 @@ std::string size_flaw(const Topology& topology) {
   if (topology.num_nodes < 0 || coords > std::numeric_limits<int>::max()) return "number of nodes out of range";
   if (!in_range(topology.num_bodies, 0, topology.num_nodes + std::int64_t{1})) return "number of bodies out of range";
   if (topology.visit_slides.size() != visits || topology.segment_kind.size() != visits ||
-      topology.rest_arc.size() != visits || (!topology.visit_owned.empty() && topology.visit_owned.size() != visits)) {
+      topology.rest_arc.size() != visits || (!topology.visit_owned.empty() && topology.visit_owned.size() != visits) ||
+      (!topology.visit_extra.empty() && topology.visit_extra.size() != visits)) {
     return "arrays of visits differ in length";
   }
   if (topology.yarn_first.size() != topology.yarn_material.size() + 1 ||

@@ -114,10 +114,10 @@ void fields(Archive& archive, T& loop) {
 template <class Archive, class T>
 requires std::same_as<std::remove_const_t<T>, Topology>
 void fields(Archive& archive, T& topology) {
-  auto& [num_nodes, num_bodies, yarn_first, visit_node, visit_slides, visit_owned, segment_kind, rest_arc,
+  auto& [num_nodes, num_bodies, yarn_first, visit_node, visit_slides, visit_owned, visit_extra, segment_kind, rest_arc,
          yarn_material, density_scale, contacts, stitches, num_courses, num_wales] = topology;
   archive(num_nodes, yarn_first, visit_node, visit_slides, visit_owned, segment_kind, rest_arc, yarn_material,
-          density_scale, contacts, stitches, num_courses, num_wales, num_bodies);
+          density_scale, contacts, stitches, num_courses, num_wales, num_bodies, visit_extra);
 }
 
 template <class Archive, class T>

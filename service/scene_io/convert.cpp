@@ -123,6 +123,7 @@ Knit knit_from(const v1::Knit& message, const SceneLimits& limits, Issues& issue
   knit.noise_m = message.noise_m();
   knit.noise_seed = message.noise_seed();
   knit.ends_woven_in = message.ends_woven_in();
+  knit.refine = message.refine();
   return knit;
 }
 
@@ -146,6 +147,7 @@ void write_knit(const Knit& knit, v1::Knit& message) {
   message.set_noise_m(knit.noise_m);
   message.set_noise_seed(knit.noise_seed);
   message.set_ends_woven_in(knit.ends_woven_in);
+  message.set_refine(knit.refine);
 }
 
 // --- yarns

@@ -87,6 +87,7 @@ void write_topology(const Topology& topology, v1::Topology& message) {
   message.mutable_visit_node()->Add(topology.visit_node.begin(), topology.visit_node.end());
   for (std::uint8_t slides : topology.visit_slides) message.add_visit_slides(slides != 0);
   for (std::uint8_t owned : topology.visit_owned) message.add_visit_owned(owned != 0);
+  for (std::uint8_t extra : topology.visit_extra) message.add_visit_extra(extra != 0);
   for (SegmentKind kind : topology.segment_kind) message.add_segment_kind(segment_message(kind));
   message.mutable_rest_arc_m()->Add(topology.rest_arc.begin(), topology.rest_arc.end());
   message.mutable_yarn_material()->Add(topology.yarn_material.begin(), topology.yarn_material.end());
@@ -104,6 +105,7 @@ void read_visits(const v1::Topology& message, Topology& topology) {
   topology.visit_node.assign(message.visit_node().begin(), message.visit_node().end());
   topology.visit_slides.assign(message.visit_slides().begin(), message.visit_slides().end());
   topology.visit_owned.assign(message.visit_owned().begin(), message.visit_owned().end());
+  topology.visit_extra.assign(message.visit_extra().begin(), message.visit_extra().end());
   topology.rest_arc.assign(message.rest_arc_m().begin(), message.rest_arc_m().end());
   topology.yarn_material.assign(message.yarn_material().begin(), message.yarn_material().end());
   topology.density_scale.assign(message.density_scale().begin(), message.density_scale().end());

@@ -109,7 +109,10 @@ Pattern pattern_of(const SwatchSpec& spec) {
 }
 
 RelaxedRepeat repeat_of(const SwatchSpec& spec) {
-  const RelaxedRepeat repeat = relax_repeat(pattern_of(spec), Gauge{2.9e-3, 2.03e-3, {}}, YarnMaterial{}, spec.effects);
+  Knit knit;
+  knit.pattern = pattern_of(spec);
+  knit.gauge = {2.9e-3, 2.03e-3, {}};
+  const RelaxedRepeat repeat = relax_repeat(knit, YarnMaterial{}, spec.effects);
   EXPECT_EQ(repeat.newton.status, NewtonStatus::converged) << to_string(repeat.newton.status);
   return repeat;
 }

@@ -26,7 +26,7 @@ inline Knit stockinette(int courses, int wales, bool in_the_round = false) {
 }
 
 inline PlacedTopology build_drawn(const Knit& knit) {
-  return build_knit(knit, drawn_cell(knit.pattern, knit.gauge, YarnMaterial{}));
+  return build_knit(knit, drawn_cell(knit.pattern, knit.gauge, YarnMaterial{}, knit.refine));
 }
 
 inline Vec3 position(const PlacedTopology& placed, int node) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "knit_helpers.h"
 #include "model/knit_repeat.h"
 
@@ -21,9 +23,17 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-PeriodicPatch patch_of(const Case& c) {
+PeriodicPatch patch_of(const Case& c, int extra_nodes = 0) {
   const Knit knit = test::knit_of(c.chart);
-  return build_repeat(knit.pattern, drawn_cell(knit.pattern, knit.gauge, YarnMaterial{}));
+  return build_repeat(knit.pattern, drawn_cell(knit.pattern, knit.gauge, YarnMaterial{}, extra_nodes));
+}
+
+/// With and without nodes on free yarn.
+std::vector<std::pair<Case, int>> refined_cases() {
+  std::vector<std::pair<Case, int>> all;
+  for (const Case& c : cases())
+    for (const int extra : {0, 1, 3}) all.emplace_back(c, extra);
+  return all;
 }
 
 std::size_t idx(int i) { return static_cast<std::size_t>(i); }
@@ -69,8 +79,8 @@ TEST(Repeat, EveryStencilOfAnOwnedElementIsThere) {
 }
 
 TEST(Repeat, ImagesFollowTheirMasters) {
-  for (const Case& c : cases()) {
-    const PeriodicPatch patch = patch_of(c);
+  for (const auto& [c, extra] : refined_cases()) {
+    const PeriodicPatch patch = patch_of(c, extra);
     const Topology& topology = patch.placed.topology;
     for (int n = 0; n < topology.num_nodes; ++n) {
       const int master = patch.node_master[idx(n)];
@@ -91,8 +101,8 @@ TEST(Repeat, ImagesFollowTheirMasters) {
 }
 
 TEST(Repeat, SegmentsOfTheDrawnRepeatAreAtRest) {
-  for (const Case& c : cases()) {
-    const PeriodicPatch patch = patch_of(c);
+  for (const auto& [c, extra] : refined_cases()) {
+    const PeriodicPatch patch = patch_of(c, extra);
     const Topology& topology = patch.placed.topology;
     for (int i = 0; i < topology.num_visits(); ++i) {
       if (topology.segment_kind[idx(i)] == SegmentKind::none) continue;
@@ -105,9 +115,9 @@ TEST(Repeat, SegmentsOfTheDrawnRepeatAreAtRest) {
 }
 
 TEST(Repeat, ReadsBackTheCellItWasBuiltFrom) {
-  for (const Case& c : cases()) {
+  for (const auto& [c, extra] : refined_cases()) {
     const Knit knit = test::knit_of(c.chart);
-    RestCell cell = drawn_cell(knit.pattern, knit.gauge, YarnMaterial{});
+    RestCell cell = drawn_cell(knit.pattern, knit.gauge, YarnMaterial{}, extra);
     for (std::size_t i = 0; i < cell.start_length.size(); ++i) {  // slide some yarn through every node of a course
       cell.start_length[i] += (i % 2 == 0 ? 1e-5 : -1e-5);
     }
@@ -122,6 +132,12 @@ TEST(Repeat, ReadsBackTheCellItWasBuiltFrom) {
     for (std::size_t i = 0; i < cell.start_length.size(); ++i) {
       EXPECT_NEAR(back.start_length[i], cell.start_length[i], 1e-15);
       EXPECT_NEAR(back.rest_length[i], cell.rest_length[i], 1e-15);
+    }
+    EXPECT_EQ(back.extra_nodes, extra);
+    ASSERT_EQ(back.between.size(), cell.between.size());
+    for (int n = 0; n < static_cast<int>(cell.between.size()); ++n) {
+      if (n / std::max(extra, 1) % 2 == 0) continue;  // of a contact segment
+      EXPECT_LT((back.between[idx(n)] - back.node_position[0] - cell.between[idx(n)] + cell.node_position[0]).norm(), 1e-15);
     }
     EXPECT_EQ(back.density_scale, cell.density_scale);
   }
@@ -145,6 +161,22 @@ TEST(Repeat, ATurnedAndShiftedRepeatIsReadBackInItsStandardPlace) {
 }
 
 // Inside, the tiled knit has the same wraps and segments as the endless one.
+TEST(Repeat, OwnsTheExtraNodesOfItsFreeSegments) {
+  for (const Case& c : cases()) {
+    const PeriodicPatch patch = patch_of(c, 3);
+    const Topology& topology = patch.placed.topology;
+    const int stitches = c.courses * c.wales;
+    EXPECT_EQ(patch.num_masters, (4 + 4 * 3) * stitches);
+    int own_visits = 0;
+    for (int n = 0; n < patch.num_masters; ++n) {
+      EXPECT_EQ(patch.node_master[idx(n)], n);
+      EXPECT_EQ(patch.node_shift[idx(n)], (std::array<int, 2>{0, 0}));
+    }
+    for (int i = 0; i < topology.num_visits(); ++i) own_visits += topology.owned(i) ? 1 : 0;
+    EXPECT_EQ(own_visits, (8 + 4 * 3) * stitches);
+  }
+}
+
 TEST(Repeat, TilingReproducesThePeriodicGeometry) {
   for (const Case& c : cases()) {
     Knit knit = test::knit_of(c.chart);

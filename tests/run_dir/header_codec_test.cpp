@@ -23,6 +23,7 @@ TEST(HeaderCodec, KeepsEveryField) {
   EXPECT_EQ(a.visit_node, b.visit_node);
   EXPECT_EQ(a.visit_slides, b.visit_slides);
   EXPECT_EQ(a.visit_owned, b.visit_owned);
+  EXPECT_EQ(a.visit_extra, b.visit_extra);
   EXPECT_EQ(a.segment_kind, b.segment_kind);
   EXPECT_EQ(a.rest_arc, b.rest_arc);
   EXPECT_EQ(a.yarn_material, b.yarn_material);
@@ -71,6 +72,7 @@ TEST(HeaderCodec, RefusesWhatCannotBeTrusted) {
       {"negative visit", [](FrameHeader& h) { h.topology.visit_node[3] = -1; }},
       {"slides", [](FrameHeader& h) { h.topology.visit_slides.pop_back(); }},
       {"owned", [](FrameHeader& h) { h.topology.visit_owned.pop_back(); }},
+      {"extra nodes", [](FrameHeader& h) { h.topology.visit_extra.pop_back(); }},
       {"segments", [](FrameHeader& h) { h.topology.segment_kind.pop_back(); }},
       {"rest", [](FrameHeader& h) { h.topology.rest_arc.pop_back(); }},
       {"rest nan", [](FrameHeader& h) { h.topology.rest_arc[0] = std::numeric_limits<double>::quiet_NaN(); }},

@@ -17,6 +17,7 @@ FrameHeader full_header() {
   t.visit_node = {0, 1, 2, 3, 1};
   t.visit_slides = {0, 1, 1, 0, 1};
   t.visit_owned = {1, 1, 0, 1, 0};
+  t.visit_extra = {0, 1, 0, 0, 1};
   t.segment_kind = {SegmentKind::free, SegmentKind::contact, SegmentKind::none, SegmentKind::free, SegmentKind::none};
   t.rest_arc = {0.0, 0.1, 0.25, 0.0, 0.3};
   t.yarn_material = {0, 1};
@@ -46,6 +47,7 @@ TEST(Header, SurvivesTheMessage) {
   EXPECT_EQ(after.visit_node, before.visit_node);
   EXPECT_EQ(after.visit_slides, before.visit_slides);
   EXPECT_EQ(after.visit_owned, before.visit_owned);
+  EXPECT_EQ(after.visit_extra, before.visit_extra);
   EXPECT_EQ(after.segment_kind, before.segment_kind);
   EXPECT_EQ(after.rest_arc, before.rest_arc);
   EXPECT_EQ(after.yarn_material, before.yarn_material);

@@ -23,6 +23,7 @@ inline FrameHeader sample_header() {
   topology.visit_node = {0, 1, 2, 3, 4, 2, 1};
   topology.visit_slides = {0, 1, 1, 0, 0, 1, 1};
   topology.visit_owned = {1, 1, 1, 0, 1, 1, 1};
+  topology.visit_extra = {0, 0, 0, 1, 0, 0, 0};
   topology.segment_kind = {SegmentKind::free, SegmentKind::contact, SegmentKind::free, SegmentKind::none,
                            SegmentKind::free, SegmentKind::contact, SegmentKind::none};
   topology.rest_arc = {0.0, 1e-3, 1.7e-3, 3e-3, 0.0, 1.1e-3, 2e-3};

@@ -31,6 +31,7 @@ export const knitField = group('Knit', {
   noise_m: number('Noise of the start', 0, mm),
   noise_seed: whole('Seed of the noise', 0),
   ends_woven_in: flag('Ends woven in', false, 'off: the yarn begins and ends in tails'),
+  refine: whole('Extra nodes a free segment', 0),
 }, { label: 'Pattern', keys: ['chart', 'preset', 'worked_rows'] });
 
 export const yarnField = group('Yarn', {
