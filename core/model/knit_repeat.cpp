@@ -255,9 +255,10 @@ RestCell cell_from_patch(const PeriodicPatch& patch, const VecX& q, const Vec3& 
     while (topology.extra(next)) ++next;
     cell.rest_length.push_back(topology.rest_arc[idx(next)] - topology.rest_arc[idx(i)]);
     cell.start_length.push_back(arc(next) - arc(i));
+    const auto at = [&](int visit) { return Vec3(q.segment<3>(topology.x_coord(topology.visit_node[idx(visit)]))); };
     for (int piece = 1; piece <= cell.extra_nodes; ++piece) {
-      const int node = topology.visit_node[idx(next > i + 1 ? i + piece : i)];
-      cell.between.push_back(q.segment<3>(topology.x_coord(node)));
+      const bool divided = next > i + 1;
+      cell.between.push_back(divided ? at(i + piece) : at(i) + piece / (cell.extra_nodes + 1.0) * (at(next) - at(i)));
     }
   }
   standardise(cell);

@@ -41,9 +41,10 @@ struct RestCell {
   /// the right neighbour. rest: what the force terms take as L; start: where the yarn lies now. (8 * stitches) [m]
   std::vector<double> rest_length, start_length;
   /// Nodes in every free segment besides its ends, evenly spaced in arc length: of the segment s, as counted above,
-  /// at between[s * extra_nodes], in geometric order; those of contact segments are not used.
+  /// at between[s * extra_nodes], in geometric order. On contact segments, which are free
+  /// where a knit begins, they lie straight.
   int extra_nodes = 0;
-  std::vector<Vec3> between;  // (8 * stitches * extra_nodes)
+  std::vector<Vec3> between;   // (8 * stitches * extra_nodes)
   double density_scale = 1.0;  // 1/c_L = true yarn length / length of the polyline
 
   int stitches() const { return repeat.courses * repeat.wales; }

@@ -118,6 +118,7 @@ TEST_P(Refined, TheInsideOfASwatchOfRelaxedStitchesIsAtRest) {
   const Model model = compile(scene, &cell);
   const VecX force = gradient(make_forces(model), model.start_q);
   const std::vector<char> inside = nodes_inside(model.topology);
+  ASSERT_TRUE(force.allFinite()) << "at the edges too";
   double largest_inside = 0.0, largest = 0.0;
   int nodes = 0;
   for (int n = 0; n < model.topology.num_nodes; ++n) {
