@@ -25,7 +25,7 @@ struct Ran {
   double shortest_step_s = std::numeric_limits<double>::infinity();
 };
 
-Ran run_with(Scene scene, const std::variant<FixedNumerics, AccuracyNumerics>& numerics) {
+Ran run_with(Scene scene, const decltype(Scene::numerics)& numerics) {
   scene.numerics = numerics;
   Ran ran;
   int position_coords = 0;
