@@ -191,7 +191,11 @@ TEST(RunJson, BrokenTextIsRefusedWithTheKey) {
 }
 
 TEST(RunJson, ABudgetSaysWhatIsToGoWhileThatIsLeft) {
-  Progress progress{.t = 0.5, .duration_s = 2.0, .wall_s = 3.0, .budget_s = 10.0};
+  Progress progress;
+  progress.t = 0.5;
+  progress.duration_s = 2.0;
+  progress.wall_s = 3.0;
+  progress.budget_s = 10.0;
   EXPECT_EQ(estimate_eta(progress), 7.0);
   EXPECT_EQ(progress_from_json(to_json(progress_info(progress)).dump())->progress.budget_s, 10.0);
   progress.wall_s = 12.0;
