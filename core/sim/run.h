@@ -36,9 +36,9 @@ struct Progress {
   std::optional<double> error_estimate_m;
   double wall_s = 0.0;
   std::map<std::string, double> wall_by_phase_s = {};
-  std::optional<double> budget_s = {};
-  std::string doing = {};  // for people, before the simulation itself; empty: that
-  double before_s = 0.0;   // of wall_s, before the simulation itself
+  std::optional<double> budget_s = {};  // of wall_s; of a scene with one
+  std::string doing = {};               // for people, before the simulation itself; empty: that
+  double before_s = 0.0;                // of wall_s, before the simulation itself
 };
 
 struct RunHooks {
