@@ -8,7 +8,7 @@ namespace slipstitch {
 /// Wall time of a run in pairs of steps over simulated time, as far as it is known, for whatever pairs may be off by.
 /// Beyond, it goes on as in the last half of what is known, but no pair is taken to be off by less than `usual_error_m`
 /// there, however smooth the motion was so far. The number of pairs goes with the root of what they may be
-/// off by: ten times less takes 2.4 to 3.4 times the steps in scenes/accuracy, as stiff yarn and friction leave no more
+/// off by: ten times less takes 2.7 to 3.4 times the steps in scenes/accuracy, as stiff yarn and friction leave no more
 /// of the order.
 class CostCourse {
  public:
