@@ -143,6 +143,7 @@ Progress progress_from(const v1::JobProgress& message) {
   progress.residual = message.residual();
   if (message.has_error_estimate_m()) progress.error_estimate_m = message.error_estimate_m();
   progress.wall_s = message.wall_s();
+  if (message.has_budget_s()) progress.budget_s = message.budget_s();
   progress.wall_by_phase_s = {message.wall_by_phase_s().begin(), message.wall_by_phase_s().end()};
   return progress;
 }

@@ -68,6 +68,7 @@ Json to_json(const std::string& scene, const Prediction& found, const std::vecto
           {"estimated_wall_s", run ? Json(run->wall_s) : Json()},
           {"estimated_steps", run ? Json(std::lround(run->steps)) : Json()},
           {"estimated_newton_iterations", run ? Json(std::lround(run->iterations)) : Json()},
+          {"budget_tolerance_m", found.budget_tolerance_m > 0.0 ? Json(found.budget_tolerance_m) : Json()},
           {"estimate_rests_on", run ? to_json(found.as_it_is_basis) : Json()},
           {"to_tolerance", tolerances_json(found)},
           {"remarks", remarks}};
@@ -104,8 +105,10 @@ std::string basis_text(const PilotBasis& basis) {
 std::string time_text(const Prediction& found) {
   if (!found.as_it_is) return "not known: a static solve takes as many iterations as it takes";
   const RunPrediction& run = *found.as_it_is;
+  if (run.steps == 0.0 && run.wall_s > 0.0) return duration_text(run.wall_s) + ", as it is asked to take";
   return "about " + duration_text(run.wall_s) + " (" + count_of(std::lround(run.steps), "step", "steps") + ", " +
          count_of(std::lround(run.iterations), "Newton iteration", "Newton iterations") + "), " +
+         (found.budget_tolerance_m > 0.0 ? "which is enough for " + metres_text(found.budget_tolerance_m) + ", " : "") +
          basis_text(found.as_it_is_basis);
 }
 

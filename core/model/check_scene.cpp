@@ -43,6 +43,8 @@ void check_numerics(const Scene& scene, const SceneLimits& limits, Checker& chec
                  "a finite number >= " + number_text(least));
     return;
   }
+  if (const auto* budget = std::get_if<BudgetNumerics>(&scene.numerics))
+    return check.positive("accuracy.budget_s", budget->budget_s);
   const auto& fixed = std::get<FixedNumerics>(scene.numerics);
   check.positive("fixed.time_step_s", fixed.time_step_s);
   check.positive("fixed.velocity_tolerance_m_per_s", fixed.velocity_tolerance_m_per_s);

@@ -117,6 +117,11 @@ struct AccuracyNumerics {
   double tolerance_m = 0.0;  // largest error of a node's position at the times of frames, >= kLeastTolerance_m
 };
 
+/// The same, as accurate as fits into a wall time. Not reproducible to the bit: what fits is seen while it runs.
+struct BudgetNumerics {
+  double budget_s = 0.0;  // of the whole run from its start, the choice of effects and the rest shape included > 0
+};
+
 struct Scene {
   std::string name;
   std::optional<Knit> knit;
@@ -130,7 +135,7 @@ struct Scene {
   std::vector<InitialVelocity> initial_velocities;
   double duration_s = 1.0;      // >= 0
   double frames_per_s = 30.0;   // > 0
-  std::variant<FixedNumerics, AccuracyNumerics> numerics;
+  std::variant<FixedNumerics, AccuracyNumerics, BudgetNumerics> numerics;
 };
 
 struct SceneLimits {

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Steps as long as a tolerance on positions allows. The run goes in pairs of steps of h; a companion that knows nothing
-// of it goes in single ones of 2h. Their distance tells how far the run is from the exact motion, whatever bends,
-// slides or touches on the way [Richardson; Hairer, Norsett and Wanner 1993, II.4]; how far two steps part from what
-// their own velocities make of them tells how long the next ones may be.
+// Steps as long as a tolerance on positions, or a wall time, allows. The run goes in pairs of steps of h; a companion
+// that knows nothing of it goes in single ones of 2h. Their distance tells how far the run is from the exact motion,
+// whatever bends, slides or touches on the way [Richardson; Hairer, Norsett and Wanner 1993, II.4]; how far two steps
+// part from what their own velocities make of them tells how long the next ones may be.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "sim/dof_map.h"
 #include "sim/longest_step.h"
+#include "sim/pair_goal.h"
 #include "sim/step_control.h"
 
 namespace slipstitch {
@@ -16,15 +17,11 @@ namespace {
 
 constexpr double kFirstSpeed = 1.0;  // of yarn that would go the tolerance in the first pair [m/s]
 constexpr double kShrink = 0.25, kGrow = 4.0, kCaution = 0.85;  // of a pair from one to the next
-constexpr double kGrowth = 1.5;       // of the distance to the companion in a pair, that is no error of the pair's own
-constexpr double kAccept = 2.0;       // times the step's tolerance, that a pair is not done again for
-constexpr double kMemory = 0.1;       // of the duration, for peaks of the error,
-constexpr double kMemoryPairs = 20.0;  // but not of more pairs
-constexpr double kWantedAtEnd = 0.35;  // of the tolerance, that the error is steered to
-constexpr double kWantedAtStart = 0.2;                                 // of that
-constexpr double kShare = 0.05, kLeastShare = 2e-3, kMostShare = 0.1;  // of the tolerance, for one pair
-constexpr double kSolveShare = 0.1;                                    // of that, for one solve
+constexpr double kGrowth = 1.5;      // of the distance to the companion in a pair, that is no error of the pair's own
+constexpr double kAccept = 2.0;      // times the step's tolerance, that a pair is not done again for
+constexpr double kSolveShare = 0.1;  // of a pair's tolerance, for one solve
 constexpr double kSmallestStep_s = 1e-7;
+constexpr double kSameTime = 1e-9;        // of the duration, and less
 constexpr double kEven = 1.01;            // pairs are a little longer than wanted, where that makes their number whole
 constexpr double kSmallestPair_s = 4e-7;  // that is done again for its error; evened out it is at least half as long
 constexpr double kLeastVelocityTolerance = 1e-9;  // [m/s]
@@ -62,19 +59,42 @@ VecX between(double t, const State& a, const State& middle, const State& b) {
 
 class AccurateSteps final : public StepControl {
  public:
-  AccurateSteps(double tolerance_m, double duration_s, const Simulation& sim, std::unique_ptr<LinearSolver> solver)
-      : tolerance_(tolerance_m),
-        duration_(duration_s),
+  AccurateSteps(std::unique_ptr<PairGoal> goal, const Scene& scene, const Simulation& sim,
+                std::unique_ptr<LinearSolver> solver)
+      : goal_(std::move(goal)),
+        duration_(scene.duration_s),
+        frames_per_s_(scene.frames_per_s),
         order_(order(sim.model())),
         power_(sim.quasi_static() ? 2.0 : 3.0),
         corners_(corners(sim.model())),
-        companion_(sim.model(), std::move(solver)) {
+        companion_(sim.model(), std::move(solver)),
+        next_pair_(goal_->tolerance_m() / kFirstSpeed) {
     numerics_.integrator = Integrator::sdirk2;
     numerics_.smallest_step_s = kSmallestStep_s;
     aid_.motion_first = aid_.foresee = true;
     const DofMap map = make_dof_map(sim.model());
     for (int n = 0; n < sim.model().topology.num_nodes; ++n)
       if (map.dof_of(3 * n) >= 0) free_nodes_.push_back(n);
+  }
+
+  NewtonReport try_out(Simulation& sim, const ShouldStop& should_stop, const std::function<void()>& on_pair) override {
+    NewtonReport counts;
+    const State start = sim.state();
+    const ShouldStop stop = [&] { return !goal_->on_trial() || (should_stop && should_stop()); };
+    for (int frame = 1; !stop() && duration_ - sim.state().t > kSameTime * duration_;) {
+      const double end = std::min(frame / frames_per_s_, duration_);
+      const Attempt pair = attempt(sim, end, stop);
+      add_counts(pair.report.newton, counts);
+      if (pair.steps == 0 && wanted_step() < smallest_step()) break;
+      if (end - sim.state().t <= kSameTime * duration_) ++frame;
+      on_pair();
+    }
+    sim.restore(start);
+    companion_.restore(start);
+    error_ = {};
+    goal_->end_trial();
+    next_pair_ = goal_->tolerance_m() / kFirstSpeed;
+    return counts;
   }
 
   Attempt attempt(Simulation& sim, double end, const ShouldStop& should_stop) override {
@@ -84,9 +104,13 @@ class AccurateSteps final : public StepControl {
     const State begin = sim.state(), companion_begin = companion_.state();
     const double known = distance(sim);
     Attempt result = try_pair(sim, 0.5 * pair, should_stop);
-    if (result.steps > 0 && !good_enough(pair, error_of_pair(begin, sim, known))) result.steps = 0;
+    double error = 0.0;
     if (result.steps > 0) {
-      learn(sim, pair, end);
+      error = error_of_pair(begin, sim, known);
+      if (!good_enough(pair, error)) result.steps = 0;
+    }
+    if (result.steps > 0) {
+      learn(sim, {sim.state().t, pair, error * goal_->pair_tolerance_m(), 0.0}, end);
     } else {
       sim.restore(begin);
       companion_.restore(companion_begin);
@@ -97,6 +121,7 @@ class AccurateSteps final : public StepControl {
   double smallest_step() const override { return numerics_.smallest_step_s; }
   std::optional<ErrorEstimate> error() const override { return error_; }
   const Simulation* companion() const override { return &companion_; }
+  std::optional<BudgetReport> budget() const override { return goal_->budget(); }
 
  private:
   double next_corner(double t, double end) const {
@@ -106,7 +131,8 @@ class AccurateSteps final : public StepControl {
 
   /// Two steps of h, and one of 2h by the companion.
   Attempt try_pair(Simulation& sim, double h, const ShouldStop& should_stop) {
-    numerics_.velocity_tolerance_m_per_s = std::max(kSolveShare * pair_tolerance_ / h, kLeastVelocityTolerance);
+    numerics_.velocity_tolerance_m_per_s =
+        std::max(kSolveShare * goal_->pair_tolerance_m() / h, kLeastVelocityTolerance);
     Attempt result;
     result.h = h;
     const auto step = [&](Simulation& which, double length) {
@@ -132,8 +158,9 @@ class AccurateSteps final : public StepControl {
 
   /// Over what a pair may have.
   double error_of_pair(const State& begin, const Simulation& sim, double distance_before) const {
-    const double parted = std::max(0.0, distance(sim) - kGrowth * distance_before) / pair_tolerance_;
-    return sim.quasi_static() ? parted : std::max(parted, defect(begin, middle_, sim.state()) / pair_tolerance_);
+    const double tolerance = goal_->pair_tolerance_m();
+    const double parted = std::max(0.0, distance(sim) - kGrowth * distance_before) / tolerance;
+    return sim.quasi_static() ? parted : std::max(parted, defect(begin, middle_, sim.state()) / tolerance);
   }
 
   /// Also chooses the next pair.
@@ -163,22 +190,21 @@ class AccurateSteps final : public StepControl {
     });
   }
 
-  void learn(const Simulation& sim, double passed, double end) {
-    error_.position_m = distance(sim) / (std::pow(2.0, order_) - 1.0);
-    const double way = kWantedAtStart + (1.0 - kWantedAtStart) * sim.state().t / duration_;
-    const double wanted = kWantedAtEnd * tolerance_ * way;
-    peak_ =
-        std::max(error_.position_m, peak_ * std::exp(-std::max(passed / (kMemory * duration_), 1.0 / kMemoryPairs)));
-    const double room = wanted / std::max(peak_, 1e-300);
-    pair_tolerance_ = tolerance_ * std::clamp(kShare * room * room, kLeastShare, kMostShare);
+  /// `done`: but for the run's error.
+  void learn(const Simulation& sim, PairDone done, double end) {
+    error_.position_m = done.run_error_m = distance(sim) / (std::pow(2.0, order_) - 1.0);
+    const double tolerance = goal_->pair_tolerance_m();
+    goal_->learn(done);
+    if (goal_->jumps()) next_pair_ *= std::min(1.0, std::sqrt(goal_->pair_tolerance_m() / tolerance));
     if (sim.state().t < end * (1.0 - 1e-12)) return;
     error_.max_position_m = std::max(error_.max_position_m, error_.position_m);
-    if (error_.position_m <= tolerance_) return;
+    if (error_.position_m <= goal_->lost_m()) return;
     if (!error_.lost_at_s) error_.lost_at_s = sim.state().t;
     companion_.restore(sim.state());
   }
 
-  const double tolerance_, duration_;
+  const std::unique_ptr<PairGoal> goal_;
+  const double duration_, frames_per_s_;
   const double order_, power_;  // of the run's error in the step, and of a pair's
   const std::vector<double> corners_;
   std::vector<int> free_nodes_;
@@ -186,17 +212,15 @@ class AccurateSteps final : public StepControl {
   FixedNumerics numerics_;
   StepAid aid_;
   State middle_;
-  double next_pair_ = tolerance_ / kFirstSpeed;  // two steps together [s]
-  double pair_tolerance_ = kShare * tolerance_;  // [m]
-  double peak_ = 0.0;                            // of the error, as errors that swing are small now and then [m]
+  double next_pair_;  // two steps together [s]
   ErrorEstimate error_;
 };
 
 }  // namespace
 
-std::unique_ptr<StepControl> make_accurate_steps(const AccuracyNumerics& numerics, double duration_s,
+std::unique_ptr<StepControl> make_accurate_steps(std::unique_ptr<PairGoal> goal, const Scene& scene,
                                                  const Simulation& sim, std::unique_ptr<LinearSolver> solver) {
-  return std::make_unique<AccurateSteps>(numerics.tolerance_m, duration_s, sim, std::move(solver));
+  return std::make_unique<AccurateSteps>(std::move(goal), scene, sim, std::move(solver));
 }
 
 }  // namespace slipstitch

@@ -42,10 +42,14 @@ std::unique_ptr<StepControl> make_fixed_steps(const FixedNumerics& numerics, dou
 }
 
 std::unique_ptr<StepControl> make_step_control(const Scene& scene, const Simulation& sim,
-                                               std::unique_ptr<LinearSolver> solver) {
-  if (const auto* accuracy = std::get_if<AccuracyNumerics>(&scene.numerics))
-    return make_accurate_steps(*accuracy, scene.duration_s, sim, std::move(solver));
-  return make_fixed_steps(std::get<FixedNumerics>(scene.numerics), scene.frames_per_s);
+                                               std::unique_ptr<LinearSolver> solver, const RunClock& clock) {
+  if (const auto* fixed = std::get_if<FixedNumerics>(&scene.numerics))
+    return make_fixed_steps(*fixed, scene.frames_per_s);
+  const auto* budget = std::get_if<BudgetNumerics>(&scene.numerics);
+  std::unique_ptr<PairGoal> goal =
+      budget != nullptr ? make_budget_goal(*budget, scene, clock)
+                        : make_tolerance_goal(std::get<AccuracyNumerics>(scene.numerics), scene.duration_s);
+  return make_accurate_steps(std::move(goal), scene, sim, std::move(solver));
 }
 
 }  // namespace slipstitch

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 
@@ -43,7 +42,8 @@ std::string fault_text(const StepReport& report) {
 class Run {
  public:
   Run(const Scene& scene, int threads, const RunHooks& hooks)
-      : scene_(scene), hooks_(hooks), start_(std::chrono::steady_clock::now()) {
+      : scene_(scene), hooks_(hooks), clock_{hooks.clock ? hooks.clock : steady_clock_s, 0.0} {
+    clock_.began_s = hooks.began_s ? *hooks.began_s : clock_.now();
     summary_.scene = scene.name;
     summary_.threads = threads;
   }
@@ -58,8 +58,9 @@ class Run {
     Monitor monitor(sim);
     HandleForces forces(sim, scene_.handles.size());
     describe(sim);
-    control_ = make_step_control(scene_, sim, new_solver());
+    control_ = make_step_control(scene_, sim, new_solver(), clock_);
     begin(sim);
+    try_out(sim);
     const RunStatus status = march(sim, monitor, forces);
     monitor.report(sim, summary_);
     summary_.handles = forces.report();
@@ -73,6 +74,7 @@ class Run {
       summary_.error_estimate_m = error->max_position_m;
       summary_.predictable_until_s = error->lost_at_s;
     }
+    summary_.budget = control_->budget();
     summary_.state_hash = state_hash(sim.state().q);
     summary_.sim_time_s = time(sim);
     return finish(status, summary_.message);
@@ -100,12 +102,18 @@ class Run {
     return error ? std::optional(error->position_m) : std::nullopt;
   }
 
-  double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  double wall() const { return clock_.wall_s(); }
+
+  std::optional<double> budget() const {
+    const auto* numerics = std::get_if<BudgetNumerics>(&scene_.numerics);
+    return numerics != nullptr ? std::optional(numerics->budget_s) : std::nullopt;
+  }
 
   RunSummary finish(RunStatus status, const std::string& message) {
     summary_.status = status;
     summary_.message = message;
     summary_.wall_s = wall();
+    if (summary_.budget) summary_.budget->kept = summary_.wall_s <= BudgetReport::kKept * summary_.budget->budget_s;
     return summary_;
   }
 
@@ -176,7 +184,26 @@ class Run {
     p.error_estimate_m = error_now();
     p.wall_s = wall();
     p.wall_by_phase_s = wall_by_phase(sim);
+    p.budget_s = budget();
+    p.before_s = before_;
     hooks_.on_progress(p);
+  }
+
+  /// What the scene takes, where a budget must know. Frames, steps and the watch over them begin behind it.
+  void try_out(Simulation& sim) {
+    const auto tell = [&] {
+      if (!hooks_.on_progress) return;
+      Progress p;
+      p.duration_s = scene_.duration_s;
+      p.frames = summary_.frames;
+      p.num_frames = num_frames_;
+      p.wall_s = p.before_s = wall();
+      p.budget_s = budget();
+      p.doing = "trying what fits into " + number_text(*budget()) + " s";
+      hooks_.on_progress(p);
+    };
+    count(control_->try_out(sim, hooks_.should_stop, tell));
+    if (budget()) before_ = wall();
   }
 
   void trace_bodies(const Simulation& sim) const {
@@ -256,12 +283,13 @@ class Run {
 
   const Scene& scene_;
   const RunHooks& hooks_;
-  std::chrono::steady_clock::time_point start_;
+  RunClock clock_;
   RunSummary summary_;
   int num_frames_ = 0;
   std::unique_ptr<StepControl> control_;
   double last_residual_ = 0.0;
   double last_step_ = 0.0;     // accepted [s]
+  double before_ = 0.0;        // wall time of what came before the simulation itself [s]
   double last_emitted_ = 0.0;  // time of the last frame [s]
   double frame_end_ = 0.0;     // planned, of the frame it is on its way to [s]
 };

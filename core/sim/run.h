@@ -11,6 +11,8 @@
 
 #include "model/model.h"
 #include "sim/body_motion.h"
+#include "sim/budget_report.h"
+#include "sim/clock.h"
 #include "sim/effect_choice.h"
 #include "sim/effect_cost.h"
 #include "sim/frame.h"
@@ -34,8 +36,9 @@ struct Progress {
   std::optional<double> error_estimate_m;
   double wall_s = 0.0;
   std::map<std::string, double> wall_by_phase_s = {};
-  std::string doing = {};  // for people, before the simulation itself; empty: that
-  double before_s = 0.0;   // of wall_s, before the simulation itself
+  std::optional<double> budget_s = {};  // of wall_s; of a scene with one
+  std::string doing = {};               // for people, before the simulation itself; empty: that
+  double before_s = 0.0;                // of wall_s, before the simulation itself
 };
 
 struct RunHooks {
@@ -54,6 +57,8 @@ struct RunHooks {
   std::function<void(Simulation&, const StepReport&)> on_step;  // after every attempted step; may be empty
   std::function<void(const Progress&)> on_progress;  // after every step, and as run_scene() says; may be empty
   std::function<bool()> should_stop;                 // polled every step and every Newton iteration; may be empty
+  Clock clock;                                       // that wall times are read from; empty: the real one
+  std::optional<double> began_s;                     // by it, where the run began before run() was called
 };
 
 /// One run, measured. Absent optionals were not measured.
@@ -66,7 +71,7 @@ struct RunSummary {
   std::vector<std::string> effects;
   std::optional<EffectChoice> effect_choice;  // of a scene that left it to us
   EffectCosts effect_cost;                    // by force term; a term whose effect is off is absent
-  double sim_time_s = 0.0, wall_s = 0.0;      // wall time with that of the choice of effects
+  double sim_time_s = 0.0, wall_s = 0.0;      // wall time since RunHooks::began_s
   int frames = 0;
   long steps = 0, rejected_steps = 0, newton_iterations = 0, linear_iterations = 0, factorizations = 0;
   long cg_iterations = 0;    // of conjugate gradients, each with one of the linear_iterations
@@ -77,6 +82,7 @@ struct RunSummary {
   std::string residual_unit;                                   // "m/s" or "N"
   std::optional<double> error_estimate_m;                      // of node positions, largest of all frames
   std::optional<double> predictable_until_s;      // from where on that was beyond the tolerance; absent: nowhere
+  std::optional<BudgetReport> budget;             // of a scene with one
   std::optional<double> min_arc_gap_ratio;        // smallest du / rest du seen
   std::optional<double> max_stretch;              // largest |dx|/(length factor * du) seen
   std::optional<double> max_slid_m, mean_slid_m;  // |arc length - start| over sliding visits at the end

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/scene.h"
+#include "sim/pair_goal.h"
 #include "sim/simulation.h"
 
 namespace slipstitch {
@@ -34,6 +35,9 @@ class StepControl {
   StepControl& operator=(const StepControl&) = delete;
   virtual ~StepControl() = default;
 
+  /// Before the first attempt: sees what the scene takes, and puts `sim` back to where it is; the counts of what that
+  /// solved. `on_pair` is called now and then.
+  virtual NewtonReport try_out(Simulation& sim, const ShouldStop& should_stop, const std::function<void()>& on_pair);
   /// Goes on towards `end` [s], not beyond. An attempt that is refused makes the next one shorter.
   virtual Attempt attempt(Simulation& sim, double end, const ShouldStop& should_stop) = 0;
   /// What the next step would be, were there room [s].
@@ -43,18 +47,25 @@ class StepControl {
   virtual std::optional<ErrorEstimate> error() const { return std::nullopt; }
   /// Linear solves and seconds of simulations beside the one that is watched; null: none.
   virtual const Simulation* companion() const { return nullptr; }
+  /// `kept` is not known here. None: no budget.
+  virtual std::optional<BudgetReport> budget() const { return std::nullopt; }
 };
+
+inline NewtonReport StepControl::try_out(Simulation& /*sim*/, const ShouldStop& /*should_stop*/,
+                                         const std::function<void()>& /*on_pair*/) {
+  return {};
+}
 
 /// Equal steps of at most the asked size; one that does not converge is halved, and the size grows back by one doubling
 /// an accepted step.
 std::unique_ptr<StepControl> make_fixed_steps(const FixedNumerics& numerics, double frames_per_s);
 
-/// As long as the tolerance on positions allows (accurate_steps.cpp). `sim` is at its start.
-std::unique_ptr<StepControl> make_accurate_steps(const AccuracyNumerics& numerics, double duration_s,
+/// As long as the goal allows (accurate_steps.cpp). `sim` is at its start.
+std::unique_ptr<StepControl> make_accurate_steps(std::unique_ptr<PairGoal> goal, const Scene& scene,
                                                  const Simulation& sim, std::unique_ptr<LinearSolver> solver);
 
-/// As the scene's numerics ask for it. `solver` is for a companion, if there is one.
+/// As the scene's numerics ask for it. `solver` is for a companion, if there is one; `clock` for a budget.
 std::unique_ptr<StepControl> make_step_control(const Scene& scene, const Simulation& sim,
-                                               std::unique_ptr<LinearSolver> solver);
+                                               std::unique_ptr<LinearSolver> solver, const RunClock& clock);
 
 }  // namespace slipstitch

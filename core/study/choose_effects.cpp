@@ -229,13 +229,15 @@ ChosenScene choose_effects(const Scene& scene, int threads, const std::function<
 
 RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
   if (!scene.effects.automatic) return run(scene, threads, hooks);
-  const auto start = std::chrono::steady_clock::now();
-  const auto wall = [start] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };
+  const Clock clock = hooks.clock ? hooks.clock : steady_clock_s;
+  const double start = hooks.began_s ? *hooks.began_s : clock();
+  const auto wall = [&] { return clock() - start; };
   ChosenScene chosen = choose_effects(scene, threads, hooks.should_stop, [&](const std::string& what) {
     Progress progress;
     progress.duration_s = scene.duration_s;
     progress.num_frames = planned_frames(scene.duration_s, scene.frames_per_s);
     progress.wall_s = progress.before_s = wall();
+    if (const auto* numerics = std::get_if<BudgetNumerics>(&scene.numerics)) progress.budget_s = numerics->budget_s;
     progress.doing = what;
     if (hooks.on_progress) hooks.on_progress(progress);
   });
@@ -249,15 +251,14 @@ RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
   }
   const double before_s = wall();
   RunHooks later = hooks;
+  later.began_s = start;
   if (hooks.on_progress) {
     later.on_progress = [&](Progress progress) {
-      progress.before_s = before_s;
-      progress.wall_s += before_s;
+      progress.before_s = std::max(progress.before_s, before_s);
       hooks.on_progress(progress);
     };
   }
   summary = run(chosen.scene, threads, later);
-  summary.wall_s += before_s;
   summary.effect_choice = std::move(chosen.choice);
   return summary;
 }

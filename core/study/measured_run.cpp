@@ -10,6 +10,8 @@
 namespace slipstitch {
 namespace {
 
+constexpr double kComparedRadii = 0.1;  // tolerance of a scene with a budget
+
 class DifferenceSum {
  public:
   void add(const VecX& x, const VecX& reference) {
@@ -45,6 +47,14 @@ void derive_forces(const Scene& scene, MeasuredRun& run) {
   }
 }
 
+/// Runs that each take the time they are given cannot be compared by their time.
+Scene comparable(Scene scene) {
+  if (std::holds_alternative<BudgetNumerics>(scene.numerics))
+    scene.numerics =
+        AccuracyNumerics{std::max(kComparedRadii * scene.yarn.radius_m, AccuracyNumerics::kLeastTolerance_m)};
+  return scene;
+}
+
 /// Adds what a trace takes to the hooks.
 void trace_frames(FrameTracer& tracer, RunHooks& hooks) {
   hooks.on_header = [&tracer, then = hooks.on_header](const FrameHeader& header) {
@@ -61,7 +71,8 @@ void trace_frames(FrameTracer& tracer, RunHooks& hooks) {
 
 }  // namespace
 
-MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options) {
+MeasuredRun measure_run(const Scene& given, const MeasureOptions& options) {
+  const Scene scene = comparable(given);
   MeasuredRun measured;
   DifferenceSum difference;
   double recorded = 0.0;

@@ -44,7 +44,8 @@ struct MeasureOptions {
   std::function<bool()> should_stop;              // may be empty
 };
 
-/// Runs a checked scene whose effects are chosen.
+/// Runs a checked scene whose effects are chosen; one with a budget to a tenth of its yarn's radius instead, as runs
+/// that take the time they are given have no cost to compare.
 MeasuredRun measure_run(const Scene& scene, const MeasureOptions& options);
 
 }  // namespace slipstitch

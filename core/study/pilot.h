@@ -4,7 +4,7 @@
 #include <string>
 
 #include "model/scene.h"
-#include "study/clock.h"
+#include "sim/clock.h"
 #include "study/cost_model.h"
 
 namespace slipstitch {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/effect_list.h"
+#include "sim/pair_goal.h"
 #include "sim/prepare.h"
 #include "sim/run.h"
 #include "sim/simulation.h"
@@ -38,14 +39,16 @@ class Predictor {
   Prediction go() {
     if (!count()) return result_;
     const auto* accuracy = std::get_if<AccuracyNumerics>(&scene_.numerics);
+    const auto* budget = std::get_if<BudgetNumerics>(&scene_.numerics);
     const double own = accuracy != nullptr ? accuracy->tolerance_m : 0.0;
-    if (accuracy == nullptr) predict_fixed();
+    if (fixed()) predict_fixed();
     if (scene_.effects.inertia) {
       predict_tolerances(std::max(own, kPilotTolerance_m), own);
     } else if (accuracy != nullptr) {
       predict_static(scene_);
     }
-    set_memory(accuracy != nullptr);
+    if (budget != nullptr) predict_budget(budget->budget_s);
+    set_memory(!fixed());
     return result_;
   }
 
@@ -146,10 +149,29 @@ class Predictor {
     }
     for (const double tolerance : kTolerances_m)
       result_.to_tolerance.push_back({tolerance, scaled(nearest(known, tolerance), tolerance)});
+    if (std::holds_alternative<BudgetNumerics>(scene_.numerics)) known_runs_ = known;
     if (own_m == 0.0) return;
     const Begun& own = nearest(known, own_m);
     result_.as_it_is = scaled(own, own_m);
     result_.as_it_is_basis = basis_of(own.pilot, own.tolerance_m);
+  }
+
+  /// It takes what it is given, but for what it cannot do with less. Of static scenes no more is known.
+  void predict_budget(double budget_s) {
+    if (known_runs_.empty()) {
+      result_.as_it_is = RunPrediction{0.0, 0.0, budget_s};
+      return;
+    }
+    double fine = AccuracyNumerics::kLeastTolerance_m, coarse = loosest_tolerance_m(scene_.yarn.radius_m);
+    const auto run_to = [&](double tolerance) { return scaled(nearest(known_runs_, tolerance), tolerance); };
+    for (int i = 0; i < 30; ++i) {
+      const double middle = std::sqrt(fine * coarse);
+      (run_to(middle).wall_s <= budget_s ? coarse : fine) = middle;
+    }
+    const Begun& begun = nearest(known_runs_, coarse);
+    result_.as_it_is = run_to(coarse);
+    result_.as_it_is_basis = basis_of(begun.pilot, begun.tolerance_m);
+    result_.budget_tolerance_m = coarse;
   }
 
   /// The finest that is not finer; they are from coarse to fine, and the first is coarse enough for all.
@@ -201,6 +223,7 @@ class Predictor {
   const Calibration& known_;
   ProblemSize size_;
   double setup_s_ = 0.0, model_bytes_ = 0.0;
+  std::vector<Begun> known_runs_;  // of a scene with a budget
   Prediction result_;
 };
 

@@ -45,6 +45,7 @@ struct Prediction {
   /// The scene as it is. None for static solves, of as many iterations as they take, that the pilot did not finish.
   std::optional<RunPrediction> as_it_is;
   PilotBasis as_it_is_basis;
+  double budget_tolerance_m = 0.0;  // that a scene with a budget is expected to come to; 0: none, or it does not move
   std::vector<TolerancePrediction> to_tolerance;  // of a moving scene, coarse to fine: 1 mm, 0.1 mm, 0.01 mm
   PilotBasis to_tolerance_basis;
   std::string run_fails;  // why a pilot of the scene as it is ended; empty: none did

@@ -103,7 +103,7 @@ std::string rung_name(const Rung& rung) { return rung.method + " " + rung.label;
 
 Scene with_rung(const Scene& scene, const Rung& rung) {
   Scene variant = scene;
-  variant.numerics = rung.numerics;
+  std::visit([&](const auto& numerics) { variant.numerics = numerics; }, rung.numerics);
   return variant;
 }
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "study/clock.h"
+#include "sim/clock.h"
 #include "study/measured_run.h"
 #include "study/start_noise.h"
 

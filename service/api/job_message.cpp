@@ -30,6 +30,7 @@ void set_progress(const ProgressInfo& info, v1::JobProgress& message) {
   if (info.eta_s) message.set_eta_s(*info.eta_s);
   if (progress.error_estimate_m) message.set_error_estimate_m(*progress.error_estimate_m);
   message.set_share_done(info.share_done);
+  if (progress.budget_s) message.set_budget_s(*progress.budget_s);
   message.mutable_wall_by_phase_s()->insert(progress.wall_by_phase_s.begin(), progress.wall_by_phase_s.end());
 }
 

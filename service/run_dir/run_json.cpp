@@ -36,6 +36,14 @@ void fields(auto& visit, auto& choice) requires std::is_same_v<std::remove_cvref
   visit("verdicts", choice.verdicts);
 }
 
+void fields(auto& visit, auto& budget) requires std::is_same_v<std::remove_cvref_t<decltype(budget)>, BudgetReport> {
+  visit("budget_s", budget.budget_s);
+  visit("kept", budget.kept);
+  visit("same_tolerance_m", budget.same_tolerance_m);
+  visit("loosest_tolerance_m", budget.loosest_tolerance_m);
+  visit("share_at_loosest", budget.share_at_loosest);
+}
+
 void fields(auto& visit, auto& body) requires std::is_same_v<std::remove_cvref_t<decltype(body)>, BodyMotion> {
   visit("collider", body.collider);
   visit("position_m", body.position_m);
@@ -98,6 +106,7 @@ class JsonWriter {
   static Json as_json(const EffectVerdict& value) { return as_object(value); }
   static Json as_json(const EffectChoice& value) { return as_object(value); }
   static Json as_json(const StudyWork& value) { return as_object(value); }
+  static Json as_json(const BudgetReport& value) { return as_object(value); }
   template <class T>
   static Json as_object(const T& value) {
     JsonWriter writer;
@@ -181,6 +190,7 @@ class JsonReader {
   static bool from_json(const nlohmann::json& json, EffectVerdict& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, EffectChoice& value) { return from_object(json, value); }
   static bool from_json(const nlohmann::json& json, StudyWork& value) { return from_object(json, value); }
+  static bool from_json(const nlohmann::json& json, BudgetReport& value) { return from_object(json, value); }
   template <class T>
   static bool from_object(const nlohmann::json& json, T& value) {
     if (!json.is_object()) return false;
@@ -229,6 +239,7 @@ void fields(auto& visit, auto& info) requires std::is_same_v<std::remove_cvref_t
   visit.if_there("share_done", info.share_done);
   visit.if_there("doing", info.doing);
   visit.if_there("wall_by_phase_s", progress.wall_by_phase_s);
+  visit.if_there("budget_s", progress.budget_s);
 }
 
 void fields(auto& visit, auto& worker) requires std::is_same_v<std::remove_cvref_t<decltype(worker)>, WorkerInfo> {
@@ -266,6 +277,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit.if_known("residual_unit", summary.residual_unit, made);
   visit("error_estimate_m", summary.error_estimate_m);
   visit("predictable_until_s", summary.predictable_until_s);
+  visit.if_there("budget", summary.budget);
   visit("min_arc_gap_ratio", summary.min_arc_gap_ratio);
   visit("max_stretch", summary.max_stretch);
   visit("max_slid_m", summary.max_slid_m);
@@ -371,6 +383,7 @@ ProgressInfo progress_info(const Progress& progress) {
 }
 
 std::optional<double> estimate_eta(const Progress& progress) {
+  if (progress.budget_s && *progress.budget_s > progress.wall_s) return *progress.budget_s - progress.wall_s;
   if (!(progress.t > 0.0) || !(progress.duration_s >= progress.t)) return std::nullopt;
   return (progress.wall_s - progress.before_s) * (progress.duration_s - progress.t) / progress.t;
 }

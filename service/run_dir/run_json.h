@@ -34,7 +34,7 @@ struct JobInfo {
 /// progress.json.
 struct ProgressInfo {
   Progress progress;
-  std::optional<double> eta_s;  // wall time to go, from the share done; absent before any is
+  std::optional<double> eta_s;  // wall time to go: of a budget, else from the share done; absent before any is
   std::string update_time;      // RFC 3339, UTC
   double share_done = 0.0;      // 0 to 1
   std::string doing = {};       // for people

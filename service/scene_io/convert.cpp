@@ -320,6 +320,22 @@ void write_fixed(const FixedNumerics& fixed, v1::FixedNumerics& message) {
   message.set_integrator(static_cast<v1::FixedNumerics::Integrator>(static_cast<int>(fixed.integrator) + 1));
 }
 
+/// By its own choice; without one the problem is told, and any that is sound stands in.
+void read_accuracy(const v1::Accuracy& message, Scene& scene, Issues& issues) {
+  switch (message.goal_case()) {
+    case v1::Accuracy::kToleranceM:
+      scene.numerics = AccuracyNumerics{message.tolerance_m()};
+      return;
+    case v1::Accuracy::kBudgetS:
+      scene.numerics = BudgetNumerics{message.budget_s()};
+      return;
+    case v1::Accuracy::GOAL_NOT_SET:
+      break;
+  }
+  issues.push_back({"accuracy", "empty", "either tolerance_m or budget_s"});
+  scene.numerics = AccuracyNumerics{AccuracyNumerics::kLeastTolerance_m};
+}
+
 // --- the parts of a scene
 
 void read_bare_yarns(const v1::Scene& message, Scene& scene, Issues& issues) {
@@ -395,7 +411,7 @@ Scene scene_from_message(const v1::Scene& message, Issues& issues, const SceneLi
   if (message.has_duration_s()) scene.duration_s = message.duration_s();
   if (message.has_frames_per_s()) scene.frames_per_s = message.frames_per_s();
   if (message.has_accuracy()) {
-    scene.numerics = AccuracyNumerics{message.accuracy().tolerance_m()};
+    read_accuracy(message.accuracy(), scene, issues);
   } else {
     scene.numerics = fixed_from(message.fixed(), issues);
   }
@@ -414,6 +430,8 @@ v1::Scene message_from_scene(const Scene& scene) {
   message.set_frames_per_s(scene.frames_per_s);
   if (const auto* accuracy = std::get_if<AccuracyNumerics>(&scene.numerics)) {
     message.mutable_accuracy()->set_tolerance_m(accuracy->tolerance_m);
+  } else if (const auto* budget = std::get_if<BudgetNumerics>(&scene.numerics)) {
+    message.mutable_accuracy()->set_budget_s(budget->budget_s);
   } else {
     write_fixed(std::get<FixedNumerics>(scene.numerics), *message.mutable_fixed());
   }

@@ -69,7 +69,9 @@ std::optional<v1::Prediction> predict_scene(const v1::Scene& scene) {
   message.set_unknowns(static_cast<std::uint32_t>(prediction.dofs));
   message.set_matrix_entries(static_cast<std::uint64_t>(prediction.hessian_nonzeros));
   message.set_memory_bytes(whole(prediction.memory_bytes));
-  if (prediction.as_it_is) set_run(*prediction.as_it_is, 0.0, prediction.as_it_is_basis, *message.mutable_as_it_is());
+  if (prediction.as_it_is)
+    set_run(*prediction.as_it_is, prediction.budget_tolerance_m, prediction.as_it_is_basis,
+            *message.mutable_as_it_is());
   for (const TolerancePrediction& to : prediction.to_tolerance)
     set_run(to.run, to.tolerance_m, prediction.to_tolerance_basis, *message.add_to_tolerance());
   message.set_run_fails(prediction.run_fails);

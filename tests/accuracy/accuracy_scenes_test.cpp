@@ -25,11 +25,18 @@ struct Ran {
   double shortest_step_s = std::numeric_limits<double>::infinity();
 };
 
-Ran run_with(Scene scene, const std::variant<FixedNumerics, AccuracyNumerics>& numerics) {
+/// By a clock that shows about the Newton iterations so far.
+Ran run_with(Scene scene, const decltype(Scene::numerics)& numerics) {
   scene.numerics = numerics;
   Ran ran;
   int position_coords = 0;
+  double now = 0.0;
   RunHooks hooks;
+  hooks.clock = [&] { return now; };
+  hooks.should_stop = [&] {
+    now += 1.0;
+    return false;
+  };
   hooks.on_header = [&](const FrameHeader& header) { position_coords = 3 * header.topology.num_nodes; };
   hooks.on_frame = [&](const Frame& frame) { ran.frames.push_back(frame.q.head(position_coords)); };
   hooks.on_progress = [&](const Progress& p) { ran.shortest_step_s = std::min(ran.shortest_step_s, p.step_s); };
@@ -81,6 +88,13 @@ TEST(AccuracyOfScenes, TheDrapeKnowsItsError) {
     EXPECT_LE(error, tolerance);
     EXPECT_LE(error, 3.0 * estimate);
     EXPECT_LE(estimate, tolerance);
+  }
+  for (const double budget : {150.0, 500.0}) {
+    const Ran ran = run_with(scene, BudgetNumerics{budget});
+    const double error = largest_distance(ran, exact), estimate = ran.summary.error_estimate_m.value_or(0.0);
+    std::printf("budget %.0f: %.0f used, error %.2e, estimated %.2e\n", budget, ran.summary.wall_s, error, estimate);
+    EXPECT_NEAR(ran.summary.wall_s, budget, 0.1 * budget);
+    EXPECT_LE(error, 3.0 * estimate);
   }
 }
 

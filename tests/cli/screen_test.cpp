@@ -110,6 +110,28 @@ TEST(ProgressLine, TellsTheErrorWhereThereIsAnEstimate) {
   EXPECT_NE(progress_line(progress, {}, 120).find("error ~0.3 mm"), std::string::npos);
 }
 
+TEST(ProgressLine, TellsTheBudget) {
+  Progress progress = sample_progress();
+  progress.wall_s = 6.0;
+  progress.budget_s = 20.0;
+  EXPECT_NE(progress_line(progress, {}, 120).find("6.0 s of 20.0 s"), std::string::npos) << progress_line(progress, {}, 120);
+}
+
+TEST(SummaryText, TellsWhatABudgetWasGoodFor) {
+  nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}, {"wall_s", 19.5}, {"budget", nullptr}};
+  EXPECT_EQ(summary_text(json).find("budget"), std::string::npos);
+  json["budget"] = {{"budget_s", 20.0}, {"kept", true}, {"same_tolerance_m", 1e-4}, {"loosest_tolerance_m", 5e-3},
+                    {"share_at_loosest", 0.0}};
+  EXPECT_NE(summary_text(json).find("19.5 s of 20.0 s, as a tolerance of about 0.1 mm takes\n"), std::string::npos)
+      << summary_text(json);
+  json["wall_s"] = 40.0;
+  json["budget"]["kept"] = false;
+  json["budget"]["share_at_loosest"] = 1.0;
+  EXPECT_NE(summary_text(json).find("not kept: it goes no looser than to 5 mm, at which 100 % of the motion ran"),
+            std::string::npos)
+      << summary_text(json);
+}
+
 TEST(SummaryText, SaysWhatWasLeftOutAndThatItIsNoGuarantee) {
   nlohmann::ordered_json json{{"status", "succeeded"}, {"scene", "x"}};
   auto& choice = json["effect_choice"];

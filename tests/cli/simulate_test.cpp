@@ -195,6 +195,18 @@ TEST_F(Simulate, ValidateInventsNoStepsWhereTheRunChoosesThem) {
   EXPECT_GT(found.at("estimated_wall_s"), 0.0) << found;
 }
 
+TEST_F(Simulate, ABudgetIsReported) {
+  const json ran = json::parse(run({"--set", "accuracy.budget_s=0.5", "--json"}).out);
+  EXPECT_EQ(ran.at("status"), "succeeded");
+  EXPECT_EQ(ran.at("budget").at("budget_s"), 0.5);
+  EXPECT_EQ(ran.at("budget").at("kept"), ran.at("wall_s").get<double>() <= 1.1 * 0.5);
+  EXPECT_GT(ran.at("budget").at("same_tolerance_m"), 0.0);
+  EXPECT_GT(ran.at("error_estimate_m"), 0.0);
+  const json found = json::parse(slipstitch({"validate", scene(), "--set", "accuracy.budget_s=100", "--json"}).out);
+  EXPECT_GT(found.at("budget_tolerance_m"), 0.0) << found;
+  EXPECT_GT(found.at("estimated_wall_s"), 0.0) << found;
+}
+
 TEST_F(Simulate, ARunWithoutAnEndIsExportedAsFarAsItGoes) {
   ASSERT_EQ(run().exit_code, 0);
   const std::string log = folder_ / "out" / "frames.log";

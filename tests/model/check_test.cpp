@@ -278,6 +278,8 @@ const std::vector<Bad>& bad_scenes() {
       {"frames_per_s", [](Scene& s) { s.frames_per_s = 1e9; }, true},
       {"accuracy.tolerance_m", [](Scene& s) { s.numerics = AccuracyNumerics{0.0}; }},
       {"accuracy.tolerance_m", [](Scene& s) { s.numerics = AccuracyNumerics{kNan}; }},
+      {"accuracy.budget_s", [](Scene& s) { s.numerics = BudgetNumerics{0.0}; }},
+      {"accuracy.budget_s", [](Scene& s) { s.numerics = BudgetNumerics{kNan}; }},
       {"fixed.time_step_s",
        [](Scene& s) {
          s.numerics = FixedNumerics{0.0, 1e-4, 1e-9, 60, 1e-7};

@@ -37,6 +37,7 @@ RunSummary full_summary() {
   summary.residual_unit = "m/s";
   summary.error_estimate_m = 0.0;
   summary.predictable_until_s = 0.25;
+  summary.budget = BudgetReport{60.0, true, 1e-4, 5e-3, 0.25};
   summary.min_arc_gap_ratio = 0.5;
   summary.max_stretch = 1.01;
   summary.max_slid_m = 1e-4;
@@ -91,7 +92,8 @@ TEST(RunJson, SummaryHasThePromisedKeys) {
       "message",     "frames",           "convex_hessians",           "residual_unit",      "max_slid_m",
       "mean_slid_m", "faded_wrap_share", "faded_wrap_share_interior", "wrap_ridge_entries", "wrap_fade_entries", "handles",
       "bodies",      "effect_cost", "effect_choice",
-      "nonzeros",    "self_collision_start_overlaps", "cg_iterations", "predictable_until_s"};
+      "nonzeros",    "self_collision_start_overlaps", "cg_iterations", "predictable_until_s",
+      "budget"};
   EXPECT_EQ(keys.size(), promised.size() + extra.size());
   for (const std::string& key : extra) EXPECT_TRUE(keys.contains(key)) << key;
 }
@@ -109,6 +111,9 @@ TEST(RunJson, SummaryNamesItsMembersInTheStruct) {
             R"({"window_s":0.1,"tolerance_m":0.0005,"wall_s":2.5,"verdicts":[)"
             R"({"effect":"wind","kept":false,"why":"none","difference_m":1e-06},)"
             R"({"effect":"inertia","kept":true,"why":"always","difference_m":null}]})");
+  EXPECT_EQ(json["budget"].dump(), R"({"budget_s":60.0,"kept":true,"same_tolerance_m":0.0001,)"
+                                   R"("loosest_tolerance_m":0.005,"share_at_loosest":0.25})");
+  EXPECT_TRUE(to_json(RunSummary{})["budget"].is_null());
   EXPECT_EQ(json["handles"][0].dump(), R"({"reaction_n":[1.0,-2.0,0.25],"max_reaction_n":3.0,"max_reaction_t_s":0.5})");
   EXPECT_EQ(json["handles"][1].dump(),
             R"({"reaction_n":[null,null,null],"max_reaction_n":null,"max_reaction_t_s":null})");
@@ -183,6 +188,18 @@ TEST(RunJson, BrokenTextIsRefusedWithTheKey) {
   json = to_json(full_summary());
   json["added_later"] = 1;
   EXPECT_TRUE(summary_from_json(json.dump()));
+}
+
+TEST(RunJson, ABudgetSaysWhatIsToGoWhileThatIsLeft) {
+  Progress progress;
+  progress.t = 0.5;
+  progress.duration_s = 2.0;
+  progress.wall_s = 3.0;
+  progress.budget_s = 10.0;
+  EXPECT_EQ(estimate_eta(progress), 7.0);
+  EXPECT_EQ(progress_from_json(to_json(progress_info(progress)).dump())->progress.budget_s, 10.0);
+  progress.wall_s = 12.0;
+  EXPECT_EQ(estimate_eta(progress), 36.0);
 }
 
 TEST(RunJson, JobProgressAndWorkerComeBack) {

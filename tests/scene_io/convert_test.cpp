@@ -28,11 +28,13 @@ class Filler {
     const Descriptor& type = *message.GetDescriptor();
     for (int i = 0; i < type.field_count(); ++i) {
       const FieldDescriptor& field = *type.field(i);
-      if (const auto* oneof = field.real_containing_oneof()) {
-        if (oneof->field(turn_ % oneof->field_count()) != &field) continue;
-      }
+      const auto* oneof = field.real_containing_oneof();
+      const int choices = oneof != nullptr ? oneof->field_count() : 1;
+      if (oneof != nullptr && oneof->field(turn_ / outer_choices_ % choices) != &field) continue;
       set_.insert(field.full_name());
+      outer_choices_ *= choices;
       field.is_repeated() ? fill_repeated(message, field) : fill_singular(message, field);
+      outer_choices_ /= choices;
     }
   }
 
@@ -81,6 +83,7 @@ class Filler {
   }
 
   int turn_;
+  int outer_choices_ = 1;  // of the oneofs that it is within
   int count_ = 1;
   std::set<std::string> set_;
 };
@@ -99,7 +102,7 @@ v1::Scene there_and_back(const v1::Scene& message) {
   return message_from_scene(scene);
 }
 
-constexpr int kTurns = 60;  // every choice of every oneof: of 2, 3 and 5
+constexpr int kTurns = 60;  // every choice of every oneof: of 2, 3 and 5, and of 2 within 2
 
 TEST(Convert, EveryFieldOfASceneSurvives) {
   std::set<std::string> seen;

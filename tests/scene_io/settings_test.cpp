@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include "scene_io/convert.h"
 #include "scene_text.h"
 
 namespace slipstitch {
@@ -35,6 +36,12 @@ TEST(Settings, TakeThePlaceOfAnotherChoiceInTheFile) {
   LoadResult result = load_scene_json(text, {"accuracy.tolerance_m=1e-4"});
   ASSERT_EQ(problems(result), "");
   EXPECT_EQ(std::get<AccuracyNumerics>(std::get<LoadedScene>(result).scene.numerics).tolerance_m, 1e-4);
+  result = load_scene_json(good_scene(R"(, "accuracy": {"tolerance_m": 1e-4})"), {"accuracy.budget_s=60"});
+  ASSERT_EQ(problems(result), "");
+  const LoadedScene& loaded = std::get<LoadedScene>(result);
+  EXPECT_EQ(std::get<BudgetNumerics>(loaded.scene.numerics).budget_s, 60.0);
+  EXPECT_EQ(loaded.message.accuracy().budget_s(), 60.0);
+  EXPECT_EQ(message_from_scene(loaded.scene).accuracy().budget_s(), 60.0);
   const std::string both = problems(load_scene_json(good_scene(), {"accuracy.tolerance_m=1e-4", "fixed={}"}));
   EXPECT_NE(both.find("a second choice"), std::string::npos) << both;
 }

@@ -41,6 +41,15 @@ TEST_F(SubmitTest, WorksWithoutARequestId) {
   EXPECT_NE(must_create(swing(3, 0.1, 10.0, 1e-2)).name(), must_create(swing(3, 0.1, 10.0, 1e-2)).name());
 }
 
+TEST_F(SubmitTest, RunsWithinABudget) {
+  v1::Scene scene = swing(3, 0.1, 10.0, 1e-2);
+  scene.mutable_accuracy()->set_budget_s(0.5);
+  const v1::SimJob ended = wait_for_end(must_create(scene).name());
+  EXPECT_EQ(ended.state(), v1::SimJob::SUCCEEDED) << ended.error().message();
+  EXPECT_EQ(ended.progress().budget_s(), 0.5);
+  EXPECT_NE(ended.summary_json().find("\"same_tolerance_m\""), std::string::npos) << ended.summary_json();
+}
+
 TEST_F(SubmitTest, ValidatesWithoutStoring) {
   v1::CreateSimJobRequest request;
   *request.mutable_spec()->mutable_scene() = swing(3, 0.1, 10.0, 1e-2);

@@ -162,6 +162,25 @@ TEST(ChooseEffects, TellsWhatItTriesBeforeTheRun) {
   EXPECT_NE(tried[1].find(" s without inertia"), std::string::npos) << tried[1];
 }
 
+TEST(ChooseEffects, CountsAsPartOfABudget) {
+  Scene scene = falling_yarn();
+  scene.numerics = BudgetNumerics{1000.0};
+  double now = 0.0;
+  RunHooks hooks;
+  hooks.clock = [&] { return now; };
+  hooks.on_progress = [&](const Progress& progress) {
+    EXPECT_EQ(progress.budget_s, 1000.0);
+    if (progress.doing.starts_with("choosing")) now = 900.0;
+    now += 1.0;
+  };
+  const RunSummary summary = run_scene(scene, 1, hooks);
+  EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;
+  ASSERT_TRUE(summary.budget && summary.effect_choice);
+  EXPECT_GT(summary.wall_s, 900.0);
+  EXPECT_EQ(summary.wall_s, now);
+  EXPECT_EQ(summary.effect_choice->verdicts.empty(), false);
+}
+
 TEST(ChooseEffects, CanBeCancelled) {
   RunHooks hooks;
   double wall_s = 0.0;

@@ -7,6 +7,7 @@
 
 #include "model/effect_list.h"
 #include "sim/sim_scenes.h"
+#include "study/measured_run.h"
 
 namespace slipstitch::testing {
 namespace {
@@ -31,6 +32,15 @@ StudyOptions rounds(int count) {
 const EffectPrice& price_of(const EffectStudy& study, const std::string& effect) {
   return *std::find_if(study.prices.begin(), study.prices.end(),
                        [&](const EffectPrice& p) { return p.effect == effect; });
+}
+
+TEST(EffectStudy, RunsScenesWithABudgetToATolerance) {
+  Scene scene = falling_yarn();
+  scene.numerics = BudgetNumerics{1e-9};
+  const MeasuredRun within = measure_run(scene, {});
+  EXPECT_FALSE(within.summary.budget);
+  scene.numerics = AccuracyNumerics{0.1 * scene.yarn.radius_m};
+  EXPECT_EQ(within.summary.state_hash, measure_run(scene, {}).summary.state_hash);
 }
 
 TEST(EffectStudy, MeasuresWhatAnEffectMoves) {

@@ -164,6 +164,24 @@ TEST(Prediction, ToAToleranceThatWasTriedIsTheRun) {
   }
 }
 
+TEST(Prediction, OfARunWithABudgetIsTheBudgetAndWhatThatComesTo) {
+  Scene scene = smooth_swing();
+  const Prediction free = predicted(scene, 1e9);
+  const double fine_s = free.to_tolerance[2].run.wall_s;
+  scene.numerics = BudgetNumerics{4.0 * fine_s};
+  const Prediction found = predicted(scene, 1e9);
+  ASSERT_TRUE(found.as_it_is);
+  EXPECT_FALSE(found.least_steps);
+  EXPECT_NEAR(found.as_it_is->wall_s, 4.0 * fine_s, 0.5 * fine_s);
+  EXPECT_LT(found.budget_tolerance_m, 1e-5);
+  scene.numerics = BudgetNumerics{1e-9};
+  const Prediction least = predicted(scene, 1e9);
+  EXPECT_GT(least.as_it_is->wall_s, 1e-9);
+  EXPECT_DOUBLE_EQ(least.budget_tolerance_m, 10.0 * scene.yarn.radius_m);
+  scene.effects.inertia.reset();
+  EXPECT_EQ(predicted(scene, 0.0).as_it_is->wall_s, 1e-9);
+}
+
 TEST(Prediction, WithoutABudgetRestsOnTheCannedRun) {
   const Prediction found = predicted(smooth_swing(), 0.0);
   ASSERT_TRUE(found.as_it_is);

@@ -124,6 +124,10 @@ test('a number that must be there and is not is said before anything is sent', a
   await page.getByLabel('Numerics').selectOption('accuracy');
   const asked = [];
   page.on('request', (request) => request.method() === 'POST' && asked.push(request.url()));
+  await page.getByLabel('Goal').selectOption('budget_s');
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'accuracy.budget_s').getByText('is empty, expected a number').waitFor();
+  await page.getByLabel('Goal').selectOption('tolerance_m');
   await page.getByRole('button', { name: 'Check' }).click();
   await errorAt(page, 'accuracy.tolerance_m').getByText('is empty, expected a number').waitFor();
   assert.deepEqual(asked, []);
@@ -138,6 +142,12 @@ test('a number that must be there and is not is said before anything is sent', a
   await useJson(page, { ...smallScene, fixed: {}, accuracy: { tolerance_m: 1e-4 } });
   await page.getByRole('button', { name: 'Check' }).click();
   await page.locator('.error-summary a', { hasText: 'accuracy is a second choice' }).waitFor();
+  await useJson(page, { ...smallScene, accuracy: { tolerance_m: 1e-4, budget_s: 10 } });
+  await page.getByRole('button', { name: 'Check' }).click();
+  await page.locator('.error-summary a', { hasText: 'is a second choice' }).waitFor();
+  await useJson(page, { ...smallScene, accuracy: {} });
+  await page.getByRole('button', { name: 'Check' }).click();
+  await errorAt(page, 'accuracy').getByText('expected either tolerance_m or budget_s').waitFor();
 });
 
 test('the chart says what it cannot do', async () => {

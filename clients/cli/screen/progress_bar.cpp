@@ -57,6 +57,8 @@ std::string progress_line(const Progress& progress, std::optional<double> eta_s,
       "  res " + short_number(progress.residual, 2),
   };
   if (progress.error_estimate_m) parts.insert(parts.begin() + 1, "  error ~" + metres_text(*progress.error_estimate_m));
+  if (progress.budget_s)
+    parts.insert(parts.begin() + 1, "  " + duration_text(progress.wall_s) + " of " + duration_text(*progress.budget_s));
   const auto room = static_cast<std::size_t>(std::max(columns - 1, 1));
   for (const std::string& part : parts) {
     if (line.size() + part.size() + eta.size() > room) break;

@@ -111,6 +111,21 @@ std::string error_line(const Json& json) {
          (until ? "\nnot predictable to the tolerance beyond " + short_number(*until) + " s" : "");
 }
 
+// What a run with a budget made of it.
+std::string budget_lines(const Json& json) {
+  const auto budget = json.find("budget");
+  if (budget == json.end() || !budget->is_object()) return {};
+  const auto asked = number(*budget, "budget_s"), wall = number(json, "wall_s");
+  if (!asked || !wall) return {};
+  std::string text = duration_text(*wall) + " of " + duration_text(*asked);
+  const auto same = number(*budget, "same_tolerance_m");
+  if (same) text += ", as a tolerance of about " + metres_text(*same) + " takes";
+  const auto loosest = number(*budget, "loosest_tolerance_m");
+  if (budget->value("kept", true) || !loosest) return text;
+  return text + "\nnot kept: it goes no looser than to " + metres_text(*loosest) + ", at which " +
+         percent_text(number(*budget, "share_at_loosest").value_or(0.0)) + " of the motion ran";
+}
+
 // Of a study, whose report has the rest.
 std::string study_lines(const Json& json) {
   const auto study = json.find("study");
@@ -240,6 +255,7 @@ std::string summary_text(const Json& json, const Rows& more) {
   add("simulated", time_line(json));
   add("Newton", newton_line(json));
   add("error", error_line(json));
+  add("budget", budget_lines(json));
   add("study", study_lines(json));
   add("sliding", sliding_line(json));
   add("wraps", wraps_line(json));

@@ -28,7 +28,7 @@ export function freshValue(field: Field): Json {
     case 'flag': return true;
     case 'vector': return [...field.default];
     case 'numbers': return [];
-    case 'number': return 0;
+    case 'number': return field.default === 'required' ? '' : 0;
     case 'text': return '';
   }
 }

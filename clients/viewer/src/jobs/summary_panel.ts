@@ -18,9 +18,17 @@ interface Summary {
   max_stretch?: number | null;
   error_estimate_m?: number | null;
   predictable_until_s?: number | null;
+  budget?: BudgetSummary | null;
   linear_solver?: string;
   threads?: number;
   study?: StudySummary | null;
+}
+
+interface BudgetSummary {
+  budget_s: number;
+  kept: boolean;
+  same_tolerance_m: number | null;
+  loosest_tolerance_m: number;
 }
 
 interface StudySummary {
@@ -44,6 +52,11 @@ function errorText({ error_estimate_m: error, predictable_until_s: until }: Summ
   return typeof until === 'number' ? `${estimate}; not predictable beyond ${shortNumber(until)} s` : estimate;
 }
 
+function budgetText({ budget_s: asked, kept, same_tolerance_m: same, loosest_tolerance_m: loosest }: BudgetSummary): string {
+  const used = typeof same === 'number' ? `${spanText(asked)}, as a tolerance of about ${shortNumber(1e3 * same)} mm takes` : spanText(asked);
+  return kept ? used : `${used}; not kept: it goes no looser than to ${shortNumber(1e3 * loosest)} mm`;
+}
+
 function rowsOf(summary: Summary): [string, string][] {
   const rows: [string, string | undefined][] = [
     ['Loops', summary.loops?.toString()],
@@ -53,6 +66,7 @@ function rowsOf(summary: Summary): [string, string][] {
     ['Steps', typeof summary.steps !== 'number' || summary.nodes === null ? undefined : `${summary.steps}, ${summary.rejected_steps ?? 0} rejected`],
     ['Newton iterations', summary.nodes === null ? undefined : summary.newton_iterations?.toString()],
     ['Wall time', typeof summary.wall_s !== 'number' ? undefined : spanText(summary.wall_s)],
+    ['Budget', summary.budget ? budgetText(summary.budget) : undefined],
     ['Error of positions', errorText(summary)],
     ['Yarn stretched to', typeof summary.max_stretch === 'number' ? `${shortNumber(100 * summary.max_stretch)} % at most` : undefined],
     ['Effects', summary.effects?.join(', ').replaceAll('_', ' ')],

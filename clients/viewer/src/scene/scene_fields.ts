@@ -55,7 +55,10 @@ export const numericsField = group('Accuracy', {
     smallest_step_s: number('Smallest step', 1e-7, seconds),
     integrator: choice('Integrator', ['IMPLICIT_EULER', 'BDF2', 'SDIRK2', 'IMPLICIT_MIDPOINT', 'LINEARISED_EULER']),
   }),
-  accuracy: group('By a tolerance', { tolerance_m: number('Error of positions', 'required', mm) }),
+  accuracy: group('Chosen by the run', {
+    tolerance_m: number('Error of positions', 'required', mm),
+    budget_s: number('Wall time', 'required', seconds),
+  }, { label: 'Goal', keys: ['tolerance_m', 'budget_s'] }),
 }, { label: 'Numerics', keys: ['fixed', 'accuracy'], none: 'defaults' });
 
 export const sceneField: GroupField = group('Scene', {
