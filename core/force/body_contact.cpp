@@ -67,7 +67,7 @@ void BodyContact::begin_step(const StepContext& step) {
   if (bodies_.empty()) return;
   const std::vector<Pair> before = std::exchange(pairs_, {});
   const long revision = revision_;
-  parts_->all_samples.follow(step.start.q, parts_->ball_depth, [&](const Vec3& x) {
+  parts_->all_samples.follow(step.start.t, step.start.q, parts_->ball_depth, [&](const Vec3& x) {
     double overlap = 0.0;
     for (const Body& body : bodies_)
       overlap = std::max(overlap, body.radius_m + parts_->radius - (x - step.start.q.segment<3>(3 * body.node)).norm());

@@ -39,7 +39,7 @@ void ColliderContact::begin_step(const StepContext& step) {
   ++searches_;
   start_t_ = step.start.t;
   for (RigidBody& body : bodies_) body.move_to(start_t_);
-  parts_->samples.follow(step.start.q, depth_, [&](const Vec3& x) {
+  parts_->samples.follow(step.start.t, step.start.q, depth_, [&](const Vec3& x) {
     double overlap = 0.0;
     for (const RigidBody& body : bodies_) overlap = std::max(overlap, radius_ - body.distance(x).phi);
     return overlap;

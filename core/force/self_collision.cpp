@@ -282,7 +282,8 @@ void SelfCollision::forget_pairs() {
 
 void SelfCollision::begin_step(const StepContext& step) {
   if (segments_.empty()) return;
-  tighten(step.start.q);
+  if (step.start.t != tightened_at_) tighten(step.start.q);  // attempts that fail are no steps
+  tightened_at_ = step.start.t;
   if (follow(step.start.q)) {
     forget_pairs();
   } else {

@@ -97,6 +97,7 @@ class SelfCollision {
   std::vector<std::vector<int>> joined_;  // per node: nodes that a segment joins to it, ascending, itself too
   std::unordered_map<long, double> start_distance_;  // by key(): d of pairs with d < 2R
   std::unordered_map<long, double> slack_;           // by key(): of pairs with less than their d for now
+  double tightened_at_ = -1.0;                       // time of start [s]; -1: never
   int start_overlaps_ = 0;
   NearSegments near_;
   std::vector<Pair> pairs_;

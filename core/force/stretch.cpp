@@ -2,10 +2,12 @@
 #include "force/stretch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "force/segments.h"
 #include "force/shrinkage.h"
+#include "math/log_barrier.h"
 
 namespace slipstitch {
 
@@ -29,15 +31,40 @@ struct Segment {
   }
 };
 
-Mat<8> stretch_hessian(double k_s, double tension, const Segment& s) {
+/// Of V = D f(lambda): f' is the tension, f'' the stiffness.
+Mat<8> stretch_hessian(double stiffness, double tension, const Segment& s) {
   const Vec<8> a = s.slope();
-  Mat<8> hess = (k_s / s.D * a) * a.transpose();
+  Mat<8> hess = (stiffness / s.D * a) * a.transpose();
   const Mat3 turn = (tension / std::max(s.length, 1e-12 * s.D)) * (Mat3::Identity() - s.t * s.t.transpose());
   hess.block<3, 3>(0, 0) += turn;
   hess.block<3, 3>(4, 4) += turn;
   hess.block<3, 3>(0, 4) -= turn;
   hess.block<3, 3>(4, 0) -= turn;
   return hess;
+}
+
+Jet2 crush(double lambda) {
+  const Jet2 b = log_barrier(lambda / kCrushed);
+  return {b.f, b.d / kCrushed, b.dd / (kCrushed * kCrushed)};
+}
+
+double crushed_energy(double k_s, const Segment& s, Vec<8>* g, Mat<8>* hess) {
+  const Jet2 b = crush(s.lambda);
+  if (g) g->setZero();
+  if (hess) hess->setZero();
+  if (!std::isfinite(b.f)) return b.f;
+  const double strain = s.lambda - 1.0, density = k_s * (0.5 * strain * strain + b.f), tension = k_s * (strain + b.d);
+  const double arc_force = s.lambda * tension - density;
+  if (g) *g << -tension * s.t, arc_force, tension * s.t, -arc_force;
+  if (hess) *hess = stretch_hessian(k_s * (1.0 + b.dd), tension, s);
+  return s.D * density;
+}
+
+double guarded_energy(double k_s, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) {
+  const bool ordered = q[7] > q[3];
+  if (ordered && Segment(q).lambda < kCrushed) [[unlikely]]
+    return crushed_energy(k_s, Segment(q), g, hess);
+  return stretch_energy(k_s, q, g, hess);
 }
 
 }  // namespace
@@ -59,8 +86,8 @@ double stretch_energy(double k_s, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) {
 }
 
 double Stretch::eval(int, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) const {
-  if (factor_ == 1.0) return stretch_energy(k_s_, q, g, hess);
-  const double value = stretch_energy(k_s_, scaled_arcs(q, factor_), g, hess);
+  if (factor_ == 1.0) return guarded_energy(k_s_, q, g, hess);
+  const double value = guarded_energy(k_s_, scaled_arcs(q, factor_), g, hess);
   if (g) scale_arc_rows(factor_, *g);
   if (hess) scale_arc_rows(factor_, *hess);
   return value;
@@ -68,17 +95,19 @@ double Stretch::eval(int, const Vec<8>& q, Vec<8>* g, Mat<8>* hess) const {
 
 double Stretch::stress(int, const Vec<8>& q, const Vec<8>& dq) const {
   const Segment s(scaled_arcs(q, factor_));
-  return k_s_ * (s.lambda - 1.0 + s.slope().dot(scaled_arcs(dq, factor_)) / s.D);
+  const Jet2 b = crush(s.lambda);
+  return k_s_ * (s.lambda - 1.0 + b.d + (1.0 + b.dd) * s.slope().dot(scaled_arcs(dq, factor_)) / s.D);
 }
 
 void Stretch::hessian_at(int, const Vec<8>& q, double tension, Mat<8>& hess) const {
-  hess = stretch_hessian(k_s_, tension, Segment(scaled_arcs(q, factor_)));
+  const Segment s(scaled_arcs(q, factor_));
+  hess = stretch_hessian(k_s_ * (1.0 + crush(s.lambda).dd), tension, s);
   if (factor_ != 1.0) scale_arc_rows(factor_, hess);
 }
 
 void Stretch::convex_hessian(int, const Vec<8>& q, Mat<8>& hess) const {
   const Segment s(scaled_arcs(q, factor_));
-  hess = stretch_hessian(k_s_, std::max(0.0, k_s_ * (s.lambda - 1.0)), s);
+  hess = stretch_hessian(k_s_ * (1.0 + crush(s.lambda).dd), std::max(0.0, k_s_ * (s.lambda - 1.0)), s);
   if (factor_ != 1.0) scale_arc_rows(factor_, hess);
 }
 

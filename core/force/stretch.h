@@ -14,7 +14,13 @@ namespace slipstitch {
 /// [Cirio et al. 2014, Yarn-level simulation of woven cloth, stretch energy]
 double stretch_energy(double k_s, const Vec<8>& q, Vec<8>* g, Mat<8>* hess);
 
-/// Stretching of every segment, measured against length_factor() times its arc length (shrinkage.h).
+/// Share of its length to which yarn must be pressed to be crushed.
+inline constexpr double kCrushed = 0.05;
+
+/// Stretching of every segment, measured against length_factor() times its arc length (shrinkage.h). That lets forces
+/// press a segment to a point, where it has no direction and angles have no derivatives. So V has, besides,
+///   k_s D log_barrier(lambda/kCrushed),  lambda = |d|/D,
+/// which changes nothing from kCrushed on.
 class Stretch {
  public:
   static constexpr int kSize = 8;

@@ -26,7 +26,7 @@ double first_slack(double overlap, double before, double deepest) {
 }
 
 double next_slack(double slack, double overlap, double deepest) {
-  const double left = std::max(0.0, deepest - (overlap - slack));
+  const double left = std::max(0.0, kMostFirst * deepest - (overlap - slack));
   return std::clamp(slack - kTightened * left, 0.0, std::max(0.0, overlap));
 }
 
@@ -91,8 +91,10 @@ void TouchSamples::tighten(const VecX& q, double deepest, const std::function<do
   std::erase_if(slack_, [&](int i) { return (*this)[i].slack == 0.0 || !(*this)[i].in_use; });
 }
 
-void TouchSamples::follow(const VecX& q, double deepest, const std::function<double(const Vec3& x)>& overlap) {
-  tighten(q, deepest, overlap);
+void TouchSamples::follow(double t, const VecX& q, double deepest,
+                          const std::function<double(const Vec3& x)>& overlap) {
+  if (t != tightened_at_) tighten(q, deepest, overlap);
+  tightened_at_ = t;
   for (Segment& segment : segments_) {
     const double arc = arc_of(segment, q);
     const int wanted = pieces_for(arc);

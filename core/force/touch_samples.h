@@ -12,7 +12,8 @@ namespace slipstitch {
 /// Slack of a new point that begins `overlap` deep in something that lets none deeper than `deepest`, where the points
 /// that it stands in for were `before` deep: it takes over what they bear. [m]
 double first_slack(double overlap, double before, double deepest);
-/// That slack a step later: half of what is left to the deepest is made up for, and what is not made use of is gone.
+/// That slack a step later: half of what is left to nearly the deepest is made up for, and what is not made use of is
+/// gone. To nearly: yarn that is jammed and cannot give way would be pressed ever harder.
 double next_slack(double slack, double overlap, double deepest);
 
 /// A point of a yarn's centreline where it can touch something: x = (1 - share) x0 + share x1 on segment `visit`.
@@ -39,8 +40,9 @@ class TouchSamples {
   /// Replaces the points of segments that have become so long since, by sliding or stretching, that theirs are more
   /// than 1.2 spacings apart; or that need no third of theirs. Indices stay those of the same points; new ones come
   /// last. `overlap` is how deep a point at x is in what it touches [m], at most `deepest` for a point without slack.
-  /// New ones can come deeper, as the old ones let an edge between them: they get slack, which then only shrinks.
-  void follow(const VecX& q, double deepest, const std::function<double(const Vec3& x)>& overlap);
+  /// New ones can come deeper, as the old ones let an edge between them: they get slack, which then only shrinks, once
+  /// a time `t` [s], however many attempts at the step from there fail.
+  void follow(double t, const VecX& q, double deepest, const std::function<double(const Vec3& x)>& overlap);
   /// Whether points of a segment are more than 1.5 spacings apart at q, where it is near(middle, half its length).
   bool outgrown(const VecX& q, const std::function<bool(const Vec3& x, double within)>& near) const;
   long bytes() const;
@@ -63,6 +65,7 @@ class TouchSamples {
   std::vector<Segment> segments_;  // those that have points between their nodes, or may have
   std::vector<TouchSample> samples_;
   std::vector<int> slack_;  // those with slack
+  double tightened_at_ = -1.0;  // time of start [s]; -1: never
 };
 
 inline Vec3 place_of(const TouchSample& sample, const VecX& q) {

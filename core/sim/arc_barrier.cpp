@@ -2,24 +2,14 @@
 #include "sim/arc_barrier.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "math/smoothstep.h"
+#include "math/log_barrier.h"
 
 namespace slipstitch {
 namespace {
 
 constexpr double kLeastArc = 1e-3;  // of a segment's rest length
 constexpr double kLeastRoom = 0.1;  // of that above a floor, after one Newton step
-
-/// b/(kappa f), of g/f > 0.
-Jet2 barrier(double x) {
-  if (x >= 1.0) return {0.0, 0.0, 0.0};
-  if (!(x > 0.0)) return {std::numeric_limits<double>::infinity(), 0.0, 0.0};
-  const double log = std::log(x), y = 1.0 - x;
-  return {-y * y * log, 2.0 * y * log - y * y / x, -2.0 * log + 4.0 * y / x + y * y / (x * x)};
-}
 
 }  // namespace
 
@@ -44,7 +34,7 @@ double ArcBarrier::value(const VecX& q) const {
   double sum = 0.0;
   for (const Floor& floor : floors_) {
     const double gap = q[floor.coord + 1] - q[floor.coord] - floor.least;
-    if (gap < floor.least) sum += stiffness_ * floor.least * barrier(gap / floor.least).f;
+    if (gap < floor.least) sum += stiffness_ * floor.least * log_barrier(gap / floor.least).f;
   }
   return sum;
 }
@@ -53,7 +43,7 @@ void ArcBarrier::add_derivatives(const VecX& q, const DofMap& map, VecX& g, Spar
   for (const Floor& floor : floors_) {
     const double gap = q[floor.coord + 1] - q[floor.coord] - floor.least;
     if (gap >= floor.least) continue;
-    const Jet2 b = barrier(gap / floor.least);
+    const Jet2 b = log_barrier(gap / floor.least);
     const int d0 = map.dof_of(floor.coord), d1 = map.dof_of(floor.coord + 1);
     const auto entry = [&](int r, int c) -> double& {
       return h.values[static_cast<std::size_t>(h.pattern->slot(std::max(r, c), std::min(r, c)))];

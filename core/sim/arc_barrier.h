@@ -9,10 +9,9 @@
 namespace slipstitch {
 
 /// Keeps yarn in every segment while a step is solved for: below twice its floor f, the arc length D of a segment costs
-///   b(g) = -kappa f (1 - g/f)^2 log(g/f),  g = D - f < f, kappa = EA,
-/// convex, C2 and infinite at the floor [Li et al., "Incremental potential contact", ACM TOG 39(4), 2020, eq. 6]. A
-/// floor that only cuts Newton steps short lets them shrink to nothing in front of it, whatever the rest of the fabric
-/// still has to do. No accepted step may end where this has energy: there it would change the model.
+///   kappa f log_barrier(g/f),  g = D - f < f, kappa = EA,
+/// infinite at the floor. One that only cuts Newton steps short lets them shrink to nothing in front of it, whatever
+/// the fabric still has to do. No accepted step may end where this has energy: there it would change the model.
 class ArcBarrier {
  public:
   /// No segment of `topology` shall go below `share` of what it has at q, nor below a thousandth of its rest length.

@@ -31,6 +31,11 @@ bool interior(const Topology& topo, const StitchContact& contact) {
          s.wale <= topo.num_wales - kInteriorMargin;
 }
 
+void count_entry(bool inside, char& before, long& entries) {
+  if (inside && !before) ++entries;
+  before = inside ? 1 : 0;
+}
+
 struct FadeCount {
   int wraps = 0, faded = 0;
   std::optional<double> share() const {
@@ -44,8 +49,11 @@ struct FadeCount {
 Monitor::Monitor(const Simulation& sim)
     : start_arc_(sim.state().q.tail(sim.model().topology.num_visits())),
       min_gap_ratio_(std::numeric_limits<double>::infinity()) {
+  observe_segments(sim);
   observe_wraps(sim);
-  ridge_entries_ = fade_entries_ = 0;
+  ridge_entries_ = fade_entries_ = crushed_entries_ = 0;
+  min_gap_ratio_ = std::numeric_limits<double>::infinity();
+  max_stretch_ = 0.0;
 }
 
 std::optional<std::string> Monitor::observe(const Simulation& sim, double residual) {
@@ -58,14 +66,18 @@ std::optional<std::string> Monitor::observe(const Simulation& sim, double residu
 void Monitor::observe_segments(const Simulation& sim) {
   const Topology& topo = sim.model().topology;
   const VecX& q = sim.state().q;
-  const double factor = term_of<Stretch>(sim.forces()).length_factor();
+  const Stretch& stretch = term_of<Stretch>(sim.forces());
+  const double factor = stretch.length_factor();
+  crushed_.resize(static_cast<std::size_t>(topo.num_visits()), 0);
   for (int i = 0; i + 1 < topo.num_visits(); ++i) {
     const auto v = static_cast<std::size_t>(i);
     if (topo.segment_kind[v] == SegmentKind::none) continue;
     const double arc = q[topo.arc_coord(i + 1)] - q[topo.arc_coord(i)];
     const Vec3 d = q.segment<3>(topo.x_coord(topo.visit_node[v + 1])) - q.segment<3>(topo.x_coord(topo.visit_node[v]));
     min_gap_ratio_ = std::min(min_gap_ratio_, arc / rest_length(topo, i));
-    max_stretch_ = std::max(max_stretch_, d.norm() / (factor * arc));
+    const double lambda = d.norm() / (factor * arc);
+    max_stretch_ = std::max(max_stretch_, lambda);
+    count_entry(stretch.size() > 0 && lambda < kCrushed, crushed_[v], crushed_entries_);
   }
 }
 
@@ -73,16 +85,13 @@ void Monitor::observe_wraps(const Simulation& sim) {
   const auto& wraps = term_of<Wrapping>(sim.forces());
   in_cap_.resize(static_cast<std::size_t>(wraps.size()), 0);
   faded_.resize(in_cap_.size(), 0);
-  const auto count_entry = [](bool inside, char& before, long& entries) {
-    if (inside && !before) ++entries;
-    before = inside ? 1 : 0;
-  };
   for (int k = 0; k < wraps.size(); ++k) {
     const Vec<12> x = gather(wraps.coords(k), sim.state().q);
     const double psi = wrap_angle(x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9));
     const auto i = static_cast<std::size_t>(k);
-    count_entry(wrap_in_cap(wrap_excess(psi, wraps.wrap(k).rest)), in_cap_[i], ridge_entries_);
-    count_entry(wrap_fade(x, wraps.wrap(k).L) < 1.0, faded_[i], fade_entries_);
+    const double fade = wrap_fade(x, wraps.wrap(k).L);  // where it is gone psi means nothing
+    count_entry(fade > 0.0 && wrap_in_cap(wrap_excess(psi, wraps.wrap(k).rest)), in_cap_[i], ridge_entries_);
+    count_entry(fade < 1.0, faded_[i], fade_entries_);
   }
 }
 
@@ -110,6 +119,7 @@ void Monitor::report(const Simulation& sim, RunSummary& summary) const {
   if (std::isfinite(min_gap_ratio_)) {
     summary.min_arc_gap_ratio = min_gap_ratio_;
     summary.max_stretch = max_stretch_;
+    summary.crushed_entries = crushed_entries_;
   }
   if (sim.model().effects.sliding && !std::isnan(residual_)) {
     double sum = 0.0, largest = 0.0;

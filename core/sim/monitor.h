@@ -29,9 +29,10 @@ class Monitor {
   VecX start_arc_;             // (num_visits)
   std::vector<char> in_cap_;   // per wrap, after the last step
   std::vector<char> faded_;    // the same
+  std::vector<char> crushed_;  // per visit, likewise
   double min_gap_ratio_, max_stretch_ = 0.0;
   double residual_ = std::numeric_limits<double>::quiet_NaN();  // before the first step
-  long ridge_entries_ = 0, fade_entries_ = 0;
+  long ridge_entries_ = 0, fade_entries_ = 0, crushed_entries_ = 0;
 };
 
 /// FNV-1a over the bytes of the full coordinates, as 16 hex digits.

@@ -88,8 +88,9 @@ struct RunSummary {
   std::optional<double> max_slid_m, mean_slid_m;  // |arc length - start| over sliding visits at the end
   std::optional<double> faded_wrap_share;         // of all wraps at the end, and of those away from every edge
   std::optional<double> faded_wrap_share_interior;
-  std::optional<long> wrap_ridge_entries;            // wraps that entered the cap around psi = s psi0 +- pi
+  std::optional<long> wrap_ridge_entries;  // wraps not all faded that entered the cap around psi = s psi0 +- pi
   std::optional<long> wrap_fade_entries;             // wraps that began to fade (wrap_fade.h) after the start
+  std::optional<long> crushed_entries;               // segments that were pressed below kCrushed (stretch.h) after it
   std::optional<int> self_collision_start_overlaps;  // SelfCollision::start_overlaps()
   std::vector<HandleForce> handles;                  // one a handle of the scene
   std::vector<BodyMotion> bodies;                    // dynamic colliders at the end

@@ -28,7 +28,8 @@ class Watchdog {
   VecX x_, step_;  // where the value last was lowest, and the direction there
   double value_ = 0.0, slope_ = 0.0, a_ = 1.0;
   double share_ = 0.0;
-  int left_ = 0;
+  int left_ = 0, trusted_ = 0;  // steps on trial; steps in a row whose decrease round-off hides
+  int turns_ = 0;               // trials given up
   bool turned_back_ = false;
 };
 

@@ -13,6 +13,7 @@ namespace {
 constexpr double kNearby = 30.0;   // steps up to this many tolerances leave the last factor a good preconditioner
 constexpr double kFarBelow = 1e-6;  // of the tolerance: no search can tell such a step from round-off, none need take it
 constexpr double kRoundOff = 2.0;   // of what one digit of every unknown makes of the gradient
+constexpr double kFalling = 0.9;    // of the gradient or step, that is a decrease which the value may hide
 constexpr int kMaxFlatIterations = 12;  // iterations without visible decrease before the search counts as stalled
 
 /// Whether what is left of the gradient is no more than the last digits of x make of it. The last digit of an arc
@@ -64,6 +65,7 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
   NewtonPoint point;
   Watchdog watchdog;
   int flat = 0;
+  double least = std::numeric_limits<double>::infinity();  // gradient or step since the value fell last
   double last_full_step = 0.0;
   const auto done = [&](NewtonStatus status) {
     report.status = status;
@@ -105,7 +107,11 @@ NewtonReport newton(Objective& objective, LinearSolver& solver, const NewtonOpti
     }
     last_full_step = full ? report.max_step : 0.0;
     if (search == Search::failed) return done(NewtonStatus::stalled);
-    flat = search == Search::flat ? flat + 1 : 0;
+    const double left = options.gradient_tolerance > 0.0 ? report.max_gradient : report.max_step;
+    const bool falls = left <= kFalling * least;
+    if (falls) least = left;
+    flat = search == Search::flat && !falls ? flat + 1 : 0;
+    if (search != Search::flat) least = std::numeric_limits<double>::infinity();
     if (flat > kMaxFlatIterations) return done(NewtonStatus::stalled);
   }
   return done(NewtonStatus::too_many_iterations);

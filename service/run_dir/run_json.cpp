@@ -286,6 +286,7 @@ void fields(auto& visit, auto& summary) requires std::is_same_v<std::remove_cvre
   visit("faded_wrap_share_interior", summary.faded_wrap_share_interior);
   visit("wrap_ridge_entries", summary.wrap_ridge_entries);
   visit("wrap_fade_entries", summary.wrap_fade_entries);
+  visit("crushed_entries", summary.crushed_entries);
   visit("self_collision_start_overlaps", summary.self_collision_start_overlaps);
   visit("handles", summary.handles);
   visit("bodies", summary.bodies);

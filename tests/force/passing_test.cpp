@@ -86,5 +86,66 @@ TEST(Passing, TouchSamplesSayWhenTheyAreTooFarApartNearSomething) {
   EXPECT_TRUE(samples.outgrown(slid, here));
 }
 
+double energy(const SelfCollision& term, const VecX& q) {
+  double sum = 0.0;
+  for (int k = 0; k < term.size(); ++k) {
+    Vec<12> x;
+    for (std::size_t i = 0; i < 12; ++i) x[static_cast<Eigen::Index>(i)] = q[term.coords(k)[i]];
+    sum += term.eval(k, x, nullptr, nullptr);
+  }
+  return sum;
+}
+
+// New points may be deeper in other yarn than the old ones let it, and may stay so for now.
+TEST(Passing, AttemptsThatFailDoNotTightenWhatNewPointsMayKeep) {
+  const Model model = two_yarns();
+  bool tightened = false;
+  for (double by = 2.0; by < 2.1; by += 0.01) {
+    SelfCollision term(model);
+    State now = state_at(lowered(model, by * kRadius));
+    term.begin_step({1e-3, now});
+    now.q = stretched(now.q, 1.7);
+    now.t = 1e-3;
+    term.begin_step({1e-3, now});
+    const double first = energy(term, now.q);
+    for (const double h : {5e-4, 2.5e-4}) {
+      term.begin_step({h, now});
+      EXPECT_EQ(energy(term, now.q), first) << by;
+    }
+    now.t = 2e-3;
+    term.begin_step({1e-3, now});
+    tightened = tightened || energy(term, now.q) > first;
+  }
+  EXPECT_TRUE(tightened);
+}
+
+TEST(Passing, TouchSamplesTightenOnceATimeAndNotToTheDeepest) {
+  const Model model = two_yarns();
+  constexpr double kDeepest = 1e-4;
+  TouchSamples samples(model, kPiece, TouchPoints::all);
+  VecX q = model.start_q;
+  const auto overlap = [&](const Vec3& x) {  // the nodes are less deep than what comes between them
+    for (int n = 0; n < 10; ++n)
+      if (x == Vec3(q.segment<3>(3 * n))) return 0.2 * kDeepest;
+    return kDeepest;
+  };
+  const auto slack = [&] {
+    double most = 0.0;
+    for (int i = 0; i < samples.size(); ++i) most = std::max(most, samples[i].slack);
+    return most;
+  };
+  samples.follow(0.0, q, kDeepest, overlap);
+  EXPECT_EQ(slack(), 0.0);
+  q = stretched(q, 1.5);
+  samples.follow(0.1, q, kDeepest, overlap);
+  EXPECT_NEAR(slack(), 0.8 * kDeepest, 1e-12);
+  samples.follow(0.1, q, kDeepest, overlap);
+  EXPECT_NEAR(slack(), 0.8 * kDeepest, 1e-12);
+  samples.follow(0.2, q, kDeepest, overlap);
+  EXPECT_NEAR(slack(), 0.45 * kDeepest, 1e-12);
+  for (int k = 3; k < 100; ++k) samples.follow(0.1 * k, q, kDeepest, overlap);
+  EXPECT_NEAR(slack(), 0.1 * kDeepest, 1e-12);
+}
+
 }  // namespace
 }  // namespace slipstitch

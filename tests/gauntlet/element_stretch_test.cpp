@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Segments from slack to taut, of an arc length or a length that goes to nothing.
+#include <Eigen/Eigenvalues>
+#include <optional>
+
 #include "force/stretch.h"
 #include "gauntlet/element_fixture.h"
 #include "gauntlet/high_precision.h"
@@ -67,6 +70,51 @@ TEST_F(ElementStretch, OfFullyCompressedYarnIsRightAndItsForceIsItsStiffness) {
   ASSERT_TRUE(point.finite());
   EXPECT_EQ(point.V, 0.5 * kStiffness * kLength);
   EXPECT_EQ((point.g.head<3>().norm()), 0.0);
+}
+
+Real real_guarded(const Reals& q) {
+  const Real D = q[7] - q[3], x = length(point(q, 4) - point(q, 0)) / D / Real(kCrushed);
+  return real_stretch(q) - (x < 1 ? Real(Real(kStiffness) * D * (1 - x) * (1 - x) * log(x)) : Real(0));
+}
+
+/// Stretch of a model without yarn, for its energy of any segment.
+class Guarded {
+ public:
+  Guarded() { model_.yarn.stretch_n = kStiffness, term_.emplace(model_); }
+  const Stretch& term() const { return *term_; }
+  double operator()(const Vec<8>& q, Vec<8>* g, Mat<8>* h) const { return term_->eval(0, q, g, h); }
+
+ private:
+  Model model_;
+  std::optional<Stretch> term_;
+};
+
+TEST_F(ElementStretch, ResistsBeingPressedToAPoint) {
+  const Guarded guarded;
+  for (const double lambda : {0.9, 0.06, 0.0499, 0.04, 1e-2, 1e-3, 1e-6, 1e-9}) {
+    const Vec<8> q = segment(lambda * kLength, kLength);
+    const Evaluated<8> e(guarded, q);
+    ASSERT_TRUE(e.finite());
+    expect_matches(e, reference(real_guarded, q, 1e-3 * lambda * kLength), 256 * kEpsilon);
+    Mat<8> convex, again;
+    guarded.term().convex_hessian(0, q, convex);
+    EXPECT_GE(Eigen::SelfAdjointEigenSolver<Mat<8>>(convex).eigenvalues()[0], -1e-12 * convex.norm());
+    guarded.term().hessian_at(0, q, guarded.term().stress(0, q, Vec<8>::Zero()), again);
+    EXPECT_LE((again - e.hess).norm(), 64 * kEpsilon * e.hess.norm());
+  }
+  EXPECT_EQ(guarded(segment(0.06 * kLength, kLength), nullptr, nullptr),
+            stretch_energy(kStiffness, segment(0.06 * kLength, kLength), nullptr, nullptr));
+  const Evaluated<8> point(guarded, segment(0.0, kLength));
+  EXPECT_EQ(point.V, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(point.g, (Vec<8>::Zero()));
+}
+
+TEST_F(ElementStretch, StressFollowsTheCrush) {
+  const Guarded guarded;
+  const Vec<8> q = segment(0.03 * kLength, kLength), dq = segment(1e-7 * kLength, 0.0);
+  const double here = guarded.term().stress(0, q, Vec<8>::Zero());
+  EXPECT_NEAR(guarded.term().stress(0, q, dq) - here, guarded.term().stress(0, q + dq, Vec<8>::Zero()) - here,
+              1e-4 * std::abs(guarded.term().stress(0, q, dq) - here));
 }
 
 TEST_F(ElementStretch, WithoutTensionHasNoForceAndAConvexHessian) {

@@ -16,7 +16,7 @@ namespace slipstitch::gauntlet {
 namespace {
 
 struct Options {
-  std::string only, out;
+  std::string only, settings, out;
   bool plain = false;  // every case as it is, once
   bool naive = false;  // and once more with each naive variant
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
@@ -37,7 +37,9 @@ std::vector<Cell> chosen_cells(const std::vector<GauntletCase>& cases, const Opt
     for (const Cell& cell : naive_cells(small)) cells.push_back(cell);
   std::erase_if(cells, [&](const Cell& cell) {
     const bool other = !options.only.empty() && cases[static_cast<std::size_t>(cell.item)].name != options.only;
-    return other || (options.plain && settings_text(cell.settings) != "as it is");
+    const std::string settings = settings_text(cell.settings);
+    return other || (options.plain && settings != "as it is") ||
+           (!options.settings.empty() && settings != options.settings);
   });
   return cells;
 }
@@ -109,7 +111,8 @@ int run_options(const Options& options) {
   std::vector<CellRow> rows;
   if (!options.only_others) rows = run_all(cases, options);
   if (!options.only_others && rows.empty()) {
-    std::fprintf(stderr, "gauntlet: there is no case '%s'; the cases are", options.only.c_str());
+    std::fprintf(stderr, "gauntlet: no cell is of case '%s' and settings '%s'; the cases are", options.only.c_str(),
+                 options.settings.c_str());
     for (const GauntletCase& item : cases) std::fprintf(stderr, " %s", item.name.c_str());
     std::fprintf(stderr, "\n");
     return 2;
@@ -135,6 +138,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Runs hard cases under many settings and checks what must hold in each"};
   Options options;
   app.add_option("--case", options.only, "Only this case");
+  app.add_option("--settings", options.settings, "Only cells of these settings, as the output names them");
   app.add_flag("--as-is", options.plain, "Every case under its own settings only");
   app.add_flag("--naive", options.naive, "Also every case with each naive variant of the method, for comparison");
   app.add_option("--jobs", options.jobs, "Cells at a time, by default one a core")->check(CLI::PositiveNumber);

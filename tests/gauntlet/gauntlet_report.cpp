@@ -33,7 +33,7 @@ struct CaseRow {
   const GauntletCase* item = nullptr;
   Totals outcomes;
   Reading worst{"-", 0.0, 0.0};
-  long rejected = 0, convex = 0, ridge = 0, fade = 0, rises = 0;
+  long rejected = 0, convex = 0, ridge = 0, fade = 0, crushed = 0, rises = 0;
 
   void add(const CellRow& row) {
     item = row.item;
@@ -44,6 +44,7 @@ struct CaseRow {
     convex = std::max(convex, s.convex_hessians);
     ridge = std::max(ridge, s.wrap_ridge_entries.value_or(0));
     fade = std::max(fade, s.wrap_fade_entries.value_or(0));
+    crushed = std::max(crushed, s.crushed_entries.value_or(0));
     rises = std::max(rises, row.result.energy_rises);
   }
 };
@@ -80,14 +81,15 @@ std::vector<CaseRow> by_case(std::span<const CellRow> rows) {
 std::string case_table(std::span<const CellRow> rows) {
   std::string text =
       "| case | what | may be refused | pass | cut | refused | fail | worst invariant | cut steps | indefinite | "
-      "ridge | fade | rises |\n"
-      "|---|---|---|---:|---:|---:|---:|---|---:|---:|---:|---:|---:|\n";
+      "ridge | fade | crushed | rises |\n"
+      "|---|---|---|---:|---:|---:|---:|---|---:|---:|---:|---:|---:|---:|\n";
   for (const CaseRow& row : by_case(rows))
-    text += formatted("| %s | %s | %s | %d | %d | %d | %d | %s %.2g | %ld | %ld | %ld of %ld | %ld of %ld | %ld |\n",
-                      row.item->name.c_str(), row.item->about.c_str(), row.item->limits.impossible ? "yes" : "",
-                      row.outcomes.passed, row.outcomes.cut, row.outcomes.refused, row.outcomes.failed,
-                      row.worst.invariant.c_str(), row.worst.share, row.rejected, row.convex, row.ridge,
-                      row.item->limits.max_ridge_entries, row.fade, row.item->limits.max_fade_entries, row.rises);
+    text += formatted(
+        "| %s | %s | %s | %d | %d | %d | %d | %s %.2g | %ld | %ld | %ld of %ld | %ld of %ld | %ld of %ld | %ld |\n",
+        row.item->name.c_str(), row.item->about.c_str(), row.item->limits.impossible ? "yes" : "", row.outcomes.passed,
+        row.outcomes.cut, row.outcomes.refused, row.outcomes.failed, row.worst.invariant.c_str(), row.worst.share,
+        row.rejected, row.convex, row.ridge, row.item->limits.max_ridge_entries, row.fade,
+        row.item->limits.max_fade_entries, row.crushed, row.item->limits.max_crushed_entries, row.rises);
   return text;
 }
 
@@ -136,11 +138,12 @@ std::string terminal_line(const CellRow& row) {
   const RunSummary& s = row.result.summary;
   const Reading& worst = worst_reading(row.result);
   std::string line = formatted(
-      "%-8s %-24s %-46s %5ld steps %4ld cut %6ld Newton %5ld convex %6.1f s  %s %.2g  ridge %ld fade %ld rises %ld",
+      "%-8s %-24s %-46s %5ld steps %4ld cut %6ld Newton %5ld convex %6.1f s  %s %.2g  ridge %ld fade %ld crushed %ld "
+      "rises %ld",
       std::string(to_string(row.result.outcome)).c_str(), row.item->name.c_str(),
       settings_text(row.cell.settings).c_str(), s.steps, s.rejected_steps, s.newton_iterations, s.convex_hessians,
       row.wall_s, worst.invariant.c_str(), worst.share, s.wrap_ridge_entries.value_or(0),
-      s.wrap_fade_entries.value_or(0), row.result.energy_rises);
+      s.wrap_fade_entries.value_or(0), s.crushed_entries.value_or(0), row.result.energy_rises);
   if (!row.result.why.empty()) line += "\n         " + row.result.why;
   return line;
 }
@@ -168,8 +171,9 @@ std::string stability_markdown(std::span<const CellRow> rows) {
       "\n*Cut*: the end was reached, but steps had to be halved. *Refused*: the run stopped and named place, effect "
       "and "
       "time, where physics allows no more. Of the counts the largest of the cells: steps cut, indefinite Hessians that "
-      "their convex part stood in for, wraps that met the ridge of their branch or were faded (and how many of these "
-      "the case may use), steps in which energy rose by more than the work done.\n\n";
+      "their convex part stood in for, wraps that met the ridge of their branch or were faded, segments that were "
+      "crushed "
+      "(and how many of these the case may use), steps in which energy rose by more than the work done.\n\n";
   text += case_table(rows) + "\n## Refused\n\n" + list_of(rows, Outcome::refused);
   text += "\n## Failed\n\n" + list_of(rows, Outcome::failed);
   if (const std::string naive = naive_table(rows); !naive.empty())
@@ -183,16 +187,16 @@ std::string stability_markdown(std::span<const CellRow> rows) {
 std::string stability_csv(std::span<const CellRow> rows) {
   std::string text =
       "case,settings,outcome,steps,rejected_steps,newton_iterations,convex_hessians,max_stretch,"
-      "ridge_entries,fade_entries,passages,energy_rises,end_speed_m_per_s";
+      "ridge_entries,fade_entries,crushed_entries,passages,energy_rises,end_speed_m_per_s";
   for (const Invariant& invariant : invariants()) text += std::string(",") + invariant.name;
   text += "\n";
   for (const CellRow& row : rows) {
     const RunSummary& s = row.result.summary;
-    text += formatted("%s,\"%s\",%s,%ld,%ld,%ld,%ld,%.6g,%ld,%ld,%ld,%ld,%.6g", row.item->name.c_str(),
+    text += formatted("%s,\"%s\",%s,%ld,%ld,%ld,%ld,%.6g,%ld,%ld,%ld,%ld,%ld,%.6g", row.item->name.c_str(),
                       settings_text(row.cell.settings).c_str(), std::string(to_string(row.result.outcome)).c_str(),
                       s.steps, s.rejected_steps, s.newton_iterations, s.convex_hessians, s.max_stretch.value_or(0.0),
-                      s.wrap_ridge_entries.value_or(0), s.wrap_fade_entries.value_or(0), row.result.passages,
-                      row.result.energy_rises, row.result.end_speed_m_per_s);
+                      s.wrap_ridge_entries.value_or(0), s.wrap_fade_entries.value_or(0), s.crushed_entries.value_or(0),
+                      row.result.passages, row.result.energy_rises, row.result.end_speed_m_per_s);
     for (const Reading& reading : row.result.readings) text += formatted(",%.6g", reading.share);
     text += "\n";
   }

@@ -91,6 +91,7 @@ std::string broken_at_the_end(const GauntletCase& item, const Settings& settings
       {true, "ridge entries", count(summary.wrap_ridge_entries.value_or(0)), count(limits.max_ridge_entries)},
       {true, "fade entries", count(summary.wrap_fade_entries.value_or(0)), count(limits.max_fade_entries)},
       {item.scene.effects.self_collision.has_value(), "passages of yarn through yarn", count(result.passages), 0.0},
+      {true, "crushed entries", count(summary.crushed_entries.value_or(0)), count(limits.max_crushed_entries)},
       {limits.isolated, "share of energy gained", budget.excess(), kEnergyRoundOff},
       {!settings.quasi_static, "speed at the end", result.end_speed_m_per_s, limits.rest_speed_m_per_s},
   };

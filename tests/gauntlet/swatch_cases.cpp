@@ -23,14 +23,25 @@ GauntletCase stretched() {
   return item;
 }
 
-GauntletCase compressed() {
-  GauntletCase item =
-      named("compressed-30", "pressed between two edges to three tenths of what is free of them", swatch(5, 12));
+/// Twelve wales, 24.6 mm wide at rest, whose right edge comes nearer: six would leave no room for two layers of a fold.
+GauntletCase pressed(const char* name, const char* about, double way) {
+  GauntletCase item = named(name, about, swatch(5, 12));
   item.scene.effects.self_collision.emplace();
-  item.scene.handles = {pin(Edge::left), Handle{Edge::right, {{0.4, {-20.3e-3, 0, 0}, Vec3::Zero()}}}};
-  item.scene.duration_s = 0.4;  // six wales would leave no room for the two layers of the fold
+  item.scene.handles = {pin(Edge::left), Handle{Edge::right, {{0.4, {-way, 0, 0}, Vec3::Zero()}}}};
+  item.scene.duration_s = 0.4;
   item.limits.max_stretch = 4.0;
   item.limits.max_ridge_entries = 50;
+  return item;
+}
+
+GauntletCase compressed() {
+  return pressed("compressed-30", "pressed between two edges to three tenths of its width", 17.2e-3);
+}
+
+/// Down to 0.7 mm between what is held, less than a diameter of yarn.
+GauntletCase pressed_shut() {
+  GauntletCase item = pressed("pressed-shut", "pressed until its edges meet", 20.3e-3);
+  item.limits.impossible = true;  // yarn that is caught between the edges has no room
   return item;
 }
 
@@ -99,6 +110,7 @@ std::vector<GauntletCase> swatch_cases() {
   return {stretched_and_released(),
           stretched(),
           compressed(),
+          pressed_shut(),
           twisted(),
           shaken(),
           noise(),

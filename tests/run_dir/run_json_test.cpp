@@ -46,6 +46,7 @@ RunSummary full_summary() {
   summary.faded_wrap_share_interior = 0.0;
   summary.wrap_ridge_entries = 0;
   summary.wrap_fade_entries = 7;
+  summary.crushed_entries = 3;
   summary.self_collision_start_overlaps = 2;
   summary.handles = {{Vec3(1.0, -2.0, 0.25), 3.0, 0.5}, {}};
   summary.bodies = {{2, Vec3(0.5, -0.25, 0.0), Vec3(1.0, 2.0, -3.0)}};
@@ -90,7 +91,7 @@ TEST(RunJson, SummaryHasThePromisedKeys) {
   for (const std::string& key : promised) EXPECT_TRUE(keys.contains(key)) << key;
   const std::set<std::string> extra{
       "message",     "frames",           "convex_hessians",           "residual_unit",      "max_slid_m",
-      "mean_slid_m", "faded_wrap_share", "faded_wrap_share_interior", "wrap_ridge_entries", "wrap_fade_entries", "handles",
+      "mean_slid_m", "faded_wrap_share", "faded_wrap_share_interior", "wrap_ridge_entries", "wrap_fade_entries", "crushed_entries", "handles",
       "bodies",      "effect_cost", "effect_choice",
       "nonzeros",    "self_collision_start_overlaps", "cg_iterations", "predictable_until_s",
       "budget"};
@@ -127,7 +128,7 @@ TEST(RunJson, SummaryNamesDynamicColliders) {
 
 TEST(RunJson, NotMeasuredIsNullAndZeroIsZero) {
   for (const char* key : {"error_estimate_m", "min_arc_gap_ratio", "max_stretch", "max_slid_m", "mean_slid_m",
-                          "faded_wrap_share", "faded_wrap_share_interior", "wrap_ridge_entries", "wrap_fade_entries", "self_collision_start_overlaps", "peak_memory_bytes"}) {
+                          "faded_wrap_share", "faded_wrap_share_interior", "wrap_ridge_entries", "wrap_fade_entries", "crushed_entries", "self_collision_start_overlaps", "peak_memory_bytes"}) {
     EXPECT_TRUE(to_json(RunSummary{})[key].is_null()) << key;
     EXPECT_TRUE(to_json(full_summary())[key].is_number()) << key;
   }

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "sim/run.h"
 
+#include <algorithm>
+
+#include "force/stretch.h"
 #include "sim/monitor.h"
+#include "sim/simulation.h"
 #include "sim_scenes.h"
 
 namespace slipstitch::testing {
@@ -38,6 +42,7 @@ TEST(Run, FillsTheSummary) {
   EXPECT_TRUE(summary.wall_by_phase_s.contains("factor"));
   EXPECT_TRUE(summary.max_stretch.has_value());
   EXPECT_NEAR(summary.min_arc_gap_ratio.value_or(0.0), 1.0, 1e-12);
+  EXPECT_EQ(summary.crushed_entries, 0);
   EXPECT_EQ(summary.state_hash.size(), 16U);
   EXPECT_EQ(summary.threads, 3);
   EXPECT_FALSE(summary.linear_solver.empty());
@@ -45,6 +50,22 @@ TEST(Run, FillsTheSummary) {
   EXPECT_FALSE(summary.max_slid_m.has_value());
   EXPECT_FALSE(summary.faded_wrap_share.has_value());
   EXPECT_FALSE(summary.error_estimate_m.has_value());
+}
+
+TEST(Run, PressesYarnToNoPointAndCountsWhereItComesNear) {
+  Scene scene = short_run();
+  scene.effects.gravity.reset();
+  scene.handles = {held(0, 0), held(0, 2)};
+  scene.initial_velocities = {{YarnPoint{0, 1}, {-100.0, 0.0, 0.0}}};  // with ten times what the next piece can store
+  RunHooks hooks;
+  double least = 1.0;
+  hooks.on_step = [&](const Simulation& sim, const StepReport&) { least = std::min(least, sim.state().q[3]); };
+  const RunSummary summary = run(scene, 1, hooks);
+  EXPECT_EQ(summary.status, RunStatus::succeeded) << summary.message;
+  EXPECT_EQ(summary.rejected_steps, 0);
+  EXPECT_GT(least, 0.0);
+  EXPECT_LT(least, kCrushed * 0.05);
+  EXPECT_EQ(summary.crushed_entries, 1);
 }
 
 TEST(Run, TracesDynamicSpheres) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -260,6 +261,49 @@ TEST(Newton, AcceptsASmallStepThatRoundOffHides) {
   options.step_tolerance = 1e-10;
   VecX x = Vec3(1e-18, 0.0, -1e-18);
   EXPECT_EQ(minimise(flat, options, x).status, NewtonStatus::converged);
+}
+
+/// size (x^2/2 + |x - 0.3|), the kink rounded over a billionth, as where something light sticks. Newton's steps lead
+/// from -1 to 1 and back.
+Function kinked(double size) {
+  constexpr double kRound = 1e-9;
+  Function f(1);
+  const auto over = [](const VecX& x) { return x[0] - 0.3; };
+  f.f = [=](const VecX& x) {
+    const double s = std::abs(over(x));
+    return size * (0.5 * x[0] * x[0] + (s > kRound ? s - 0.5 * kRound : 0.5 * s * s / kRound));
+  };
+  f.gradient = [=](const VecX& x) -> VecX { return Vec<1>(size * (x[0] + std::clamp(over(x) / kRound, -1.0, 1.0))); };
+  f.hessian = [=](const VecX& x) -> Eigen::MatrixXd {
+    return Mat<1>(size * (std::abs(over(x)) > kRound ? 1.0 : 1.0 + 1.0 / kRound));
+  };
+  return f;
+}
+
+TEST(Newton, FindsAKinkThatItStepsOver) {
+  for (const double size : {1.0, 1e-17}) {  // the second changes no digit of the value
+    Function f = kinked(size);
+    NewtonOptions options;
+    options.step_tolerance = 1e-6;
+    VecX x = Vec<1>(1.0);
+    const NewtonReport report = minimise(f, options, x);
+    EXPECT_EQ(report.status, NewtonStatus::converged) << size;
+    EXPECT_LT(report.iterations, 30) << size;
+    EXPECT_NEAR(x[0], 0.3, 1e-8) << size;
+  }
+}
+
+TEST(Newton, LosesItsShiftTowardsTheEnd) {
+  // A free unknown that next to nothing holds: the shift, five times that, would leave it 50 steps.
+  Function q = quadratic(Vec<2>(1e9, 0.1).asDiagonal().toDenseMatrix(), Vec<2>(0.0, 1e-5));
+  NewtonOptions options = until_gradient(1e-9);
+  options.relative_shift = 1e-9;
+  options.most_shift = Vec<2>(1.0, 1.0);
+  VecX x = Vec<2>::Zero();
+  const NewtonReport report = minimise(q, options, x);
+  EXPECT_EQ(report.status, NewtonStatus::converged);
+  EXPECT_LT(report.iterations, 15);
+  EXPECT_NEAR(x[1], 1e-4, 1e-8);
 }
 
 TEST(Newton, FindsTheMinimumOfACurvedValley) {

@@ -174,6 +174,8 @@ std::string yarn_line(const Json& json) {
   if (const auto gap = number(json, "min_arc_gap_ratio")) {
     parts.push_back("closest contacts at " + percent_text(*gap) + " of rest");
   }
+  if (const auto crushed = number(json, "crushed_entries"); crushed && *crushed > 0)
+    parts.push_back(count_of(whole(crushed), "segment crushed", "segments crushed"));
   return joined(parts);
 }
 
