@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "force/script_push.h"
 #include "force/scripted_nodes.h"
@@ -45,31 +46,50 @@ void ColliderContact::begin_step(const StepContext& step) {
     return overlap;
   });
   for (RigidBody& body : bodies_) body.move_to(step.end_t());
-  std::vector<Pair> pairs;
+  const std::vector<Pair> before = std::exchange(pairs_, {});
   const auto num_samples = static_cast<std::size_t>(parts_->samples.size());
   clear_.assign(num_samples, std::numeric_limits<double>::infinity());
   start_.resize(num_samples);
+  paired_.assign(num_samples * bodies_.size(), 0);
   for (int s = 0; s < parts_->samples.size(); ++s) {
     if (!sample(s).in_use) continue;
-    const auto i = static_cast<std::size_t>(s);
-    start_[i] = place_of(sample(s), step.start.q);
-    const double reach =
-        kTouchReach * radius_ + kTouchReachOfMove * step.duration * place_of(sample(s), step.start.v).norm();
-    for (int b = 0; b < static_cast<int>(bodies_.size()); ++b) {
-      const double gap = body(b).distance(start_[i]).phi - radius_;
-      if (gap <= reach)
-        pairs.push_back({s, b});
-      else
-        clear_[i] = std::min(clear_[i], gap);
+    const double move = kTouchReachOfMove * step.duration * place_of(sample(s), step.start.v).norm();
+    look_around(s, place_of(sample(s), step.start.q), kTouchReach * radius_ + move);
+  }
+  if (pairs_ != before) ++revision_;
+}
+
+/// Pairs sample s, at x, with all bodies within `reach`.
+void ColliderContact::look_around(int s, const Vec3& x, double reach) {
+  const auto i = static_cast<std::size_t>(s);
+  start_[i] = x;
+  clear_[i] = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    char& paired = paired_[i * bodies_.size() + b];
+    if (paired) continue;
+    const double gap = bodies_[b].distance(x).phi - radius_;
+    if (gap <= reach) {
+      paired = 1;
+      pairs_.push_back({s, static_cast<int>(b)});
+    } else {
+      clear_[i] = std::min(clear_[i], gap);
     }
   }
-  if (pairs == pairs_) return;
-  pairs_ = std::move(pairs);
-  ++revision_;
+}
+
+void ColliderContact::watch(const VecX& q, const VecX& dq, double a) {
+  if (bodies_.empty()) return;
+  for (int s = 0; s < parts_->samples.size(); ++s) {
+    const auto i = static_cast<std::size_t>(s);
+    if (!std::isfinite(clear_[i])) continue;
+    const Vec3 x = place_of(sample(s), q);
+    const double way = a * place_of(sample(s), dq).norm();
+    if ((x - start_[i]).norm() + way > clear_[i]) look_around(s, x, kTouchReach * radius_ + way);
+  }
 }
 
 long ColliderContact::search_bytes() const {
-  return parts_->samples.bytes() + bytes_of(bodies_, pairs_, clear_, start_);
+  return parts_->samples.bytes() + bytes_of(bodies_, pairs_, clear_, start_, paired_);
 }
 
 double ColliderContact::eval(int k, const Vec<6>& q, Vec<6>* g, Mat<6>* hess) const {

@@ -44,6 +44,7 @@ std::vector<Touch> ColliderFriction::touches_at(const ColliderContact& contact, 
     touch.anchor = body.to_body(touch.anchor);
     touches.push_back(touch);
   }
+  std::sort(touches.begin(), touches.end(), before);
   return touches;
 }
 

@@ -74,6 +74,7 @@ GauntletCase heavy_sphere() {
   Collider ball = body(Sphere{{8e-3, 4.2e-3, -8e-3}, 3e-3});
   ball.dynamic = DynamicBody{0.15};
   put(item.scene, {ball});
+  item.limits.rest_speed_m_per_s = 1e-3;
   item.limits.max_stretch = 2.0;
   item.about_motion = true;
   return item;

@@ -18,7 +18,7 @@ constexpr double kLongStep_s = 0.1;
 constexpr int kLongSteps = 500, kTimesStopped = 5;  // sliding friction lets go of the last micrometres within minutes
 constexpr long kReportEvery = 10000;
 constexpr double kStiffSliding = 1e4;  // [N s/m]
-constexpr int kCreepingSteps = 24;
+constexpr int kCreepingSteps = 24, kStepsBefore = 300;  // the latter long
 
 }  // namespace
 
@@ -104,7 +104,7 @@ std::string rest_text(const Rest& found) {
   return text.data();
 }
 
-double crept(double tolerance_share) {
+Crept crept(double tolerance_share) {
   Scene scene = swatch(5, 5);
   hang(scene);
   scene.effects.damping->sliding_ns_per_m = kStiffSliding;
@@ -112,13 +112,21 @@ double crept(double tolerance_share) {
   Simulation sim(prepare(scene).model);
   FixedNumerics numerics;
   numerics.velocity_tolerance_m_per_s *= tolerance_share;
-  const int visits = sim.model().topology.num_visits();
-  VecX before;
-  for (int k = 0; k < 2 * kCreepingSteps; ++k) {
-    if (k == kCreepingSteps) before = sim.state().q.tail(visits);
-    if (!sim.step(kStep_s, numerics, {}).accepted) throw std::runtime_error("a creeping step does not converge");
+  const Topology& topology = sim.model().topology;
+  const auto advance = [&](double step_s) {
+    if (!sim.step(step_s, numerics, {}).accepted) throw std::runtime_error("a creeping step does not converge");
+  };
+  for (int k = 0; k < kToCurl; ++k) advance(kStep_s);
+  for (int k = 0; k < kStepsBefore; ++k) advance(kLongStep_s);
+  const VecX before = sim.state().q.tail(topology.num_visits());
+  Crept found;
+  for (int k = 0; k < kCreepingSteps; ++k) {
+    advance(kStep_s);
+    for (int n = 0; n < topology.num_nodes; ++n)
+      found.fastest_m_per_s = std::max(found.fastest_m_per_s, sim.state().v.segment<3>(3 * n).norm());
   }
-  return (sim.state().q.tail(visits) - before).cwiseAbs().mean();
+  found.mean_m = (sim.state().q.tail(topology.num_visits()) - before).cwiseAbs().mean();
+  return found;
 }
 
 }  // namespace slipstitch::gauntlet

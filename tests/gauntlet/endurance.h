@@ -48,8 +48,12 @@ struct Rest {
 Rest rest(long steps, const std::function<void(long done)>& on_progress);
 std::string rest_text(const Rest& found);
 
-/// How far yarn slides through a stitch, in the mean, while a load drags it through stiff damping for 0.1 s, slower than
-/// the default velocity tolerance times `tolerance_share` that each step is solved to [m].
-double crept(double tolerance_share);
+/// A load drags yarn through stiff damping for 0.1 s, while all else has come to rest; each step is solved to the
+/// default velocity tolerance times `tolerance_share`.
+struct Crept {
+  double mean_m = 0.0;           // that yarn slides through a stitch
+  double fastest_m_per_s = 0.0;  // of all nodes meanwhile
+};
+Crept crept(double tolerance_share);
 
 }  // namespace slipstitch::gauntlet

@@ -24,6 +24,7 @@ GauntletCase stiff_in_bending() {
   item.limits.max_stretch = 3.0;
   item.limits.max_ridge_entries = 30;
   item.limits.max_fade_entries = 250;
+  item.limits.max_crushed_entries = 10;
   return item;
 }
 

@@ -17,7 +17,9 @@ namespace {
 
 struct Options {
   std::string only, settings, out;
+  std::string command;  // that chose all this, for the page
   bool plain = false;  // every case as it is, once
+  bool small = false;  // without the largest case
   bool naive = false;  // and once more with each naive variant
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   int random = 0;  // scenes from seeds
@@ -32,7 +34,7 @@ constexpr double kMostDrift_m = 1e-9;
 std::vector<Cell> chosen_cells(const std::vector<GauntletCase>& cases, const Options& options) {
   const std::vector<GauntletCase> small = gauntlet_cases();
   std::vector<Cell> cells = gauntlet_cells(small);
-  cells.push_back({static_cast<int>(small.size()), {}});
+  if (!options.small) cells.push_back({static_cast<int>(small.size()), {}});
   if (options.naive)
     for (const Cell& cell : naive_cells(small)) cells.push_back(cell);
   std::erase_if(cells, [&](const Cell& cell) {
@@ -70,10 +72,11 @@ Rest run_rest(const Options& options) {
   return found;
 }
 
-bool write(const std::string& folder, const std::vector<CellRow>& rows, const std::string& more) {
+bool write(const std::string& folder, const std::vector<CellRow>& rows, const std::string& command,
+           const std::string& more) {
   std::filesystem::create_directories(folder);
   std::ofstream text(folder + "/stability.md"), csv(folder + "/stability.csv");
-  text << stability_markdown(rows) << more << std::flush;
+  text << stability_markdown(rows, command) << more << std::flush;
   csv << stability_csv(rows) << std::flush;
   return text && csv;
 }
@@ -122,7 +125,7 @@ int run_options(const Options& options) {
     std::printf("cells: %d pass, %d pass with steps cut, %d are refused, %d fail\n", all.passed, all.cut, all.refused,
                 all.failed);
   const Others others = run_others(options);
-  if (!options.out.empty() && !write(options.out, rows, others.markdown)) {
+  if (!options.out.empty() && !write(options.out, rows, options.command, others.markdown)) {
     std::fprintf(stderr, "gauntlet: cannot write %s/stability.md and stability.csv\n", options.out.c_str());
     return 1;
   }
@@ -146,7 +149,10 @@ int main(int argc, char** argv) {
   app.add_option("--random", options.random, "Also that many random scenes, one a seed")->check(CLI::PositiveNumber);
   app.add_option("--seed", options.seed, "The first seed");
   app.add_option("--rest", options.rest, "Also that many steps of a swatch at rest")->check(CLI::PositiveNumber);
+  app.add_flag("--small", options.small, "Without the largest case");
   app.add_flag("--no-cases", options.only_others, "None of the cases");
   CLI11_PARSE(app, argc, argv);
+  options.command = "./run gauntlet";
+  for (int i = 1; i < argc; ++i) options.command += std::string(" ") + argv[i];
   return run_options(options);
 }

@@ -155,11 +155,13 @@ Totals totals(std::span<const CellRow> rows) {
   return sum;
 }
 
-std::string stability_markdown(std::span<const CellRow> rows) {
+std::string stability_markdown(std::span<const CellRow> rows, const std::string& command) {
   const Totals all = totals(rows);
   std::string text =
       "# Hard cases, and what holds in them\n\n"
-      "Made by `./run gauntlet`; do not edit. One row of stability.csv beside it is one cell: a case under one choice "
+      "Made by `" +
+      command +
+      "`; do not edit. One row of stability.csv beside it is one cell: a case under one choice "
       "of "
       "step, stiffness, integrator and solver. The choices cover every two of these, and the case, together.\n\n";
   text += formatted("%d cells: %d pass, %d pass with steps cut, %d are refused, %d fail.\n\n",

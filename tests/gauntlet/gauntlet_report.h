@@ -24,8 +24,9 @@ struct Totals {
 };
 Totals totals(std::span<const CellRow> rows);
 
-/// What is checked, one row a case, every cell that is refused or fails, and one row a naive variant.
-std::string stability_markdown(std::span<const CellRow> rows);
+/// What is checked, one row a case, every cell that is refused or fails, and one row a naive variant. `command` made
+/// it.
+std::string stability_markdown(std::span<const CellRow> rows, const std::string& command);
 
 /// One row a cell, all that was measured.
 std::string stability_csv(std::span<const CellRow> rows);

@@ -21,11 +21,13 @@ double start_stretch(const Model& model) {
   return most;
 }
 
-/// Of wraps: one that is turned over or straightened by a script is not broken, most of them are.
-void limit_wraps(const Model& model, Limits& limits) {
+/// One wrap that is turned over or straightened by a script is not broken, most of them are; of segments hardly any are
+/// crushed.
+void limit_safeguards(const Model& model, Limits& limits) {
   const long wraps = 2 * static_cast<long>(model.topology.contacts.size());
   limits.max_ridge_entries = wraps / 4;
   limits.max_fade_entries = 2 * wraps;
+  limits.max_crushed_entries = model.topology.num_visits() / 20;
 }
 
 bool is_drawn(const Handle& handle) { return !handle.motion.empty() || handle.velocity_m_per_s; }
@@ -67,7 +69,7 @@ GauntletCase random_case(std::uint64_t seed) {
     draw_colliders(draft, prepared.model);
     keep_scripts_clear(draft, prepared.model);
     item.limits.max_stretch = most_stretch(draft.scene, prepared.model);
-    limit_wraps(prepared.model, item.limits);
+    limit_safeguards(prepared.model, item.limits);
   }
   item.about = draft.about;
   item.scene = std::move(draft.scene);

@@ -20,7 +20,7 @@ namespace {
 constexpr int kScenes = 300;  // that are looked at
 constexpr int kRuns = 100;    // that are run
 constexpr int kMostRefused = kRuns / 20;
-constexpr int kMostGivenUp = 3;  // of them, where the solver is known to be weak: docs/stability.md
+constexpr int kMostGivenUp = 1;  // of them, where the solver is known to be weak: wraps that are damped, bends not
 
 TEST(Dice, ThrowTheSameOnEveryPlatform) {
   Dice dice(5489);  // the seed for which the standard gives a number
@@ -162,6 +162,20 @@ TEST(RandomScenes, HaveEverythingBetweenThem) {
       wanted.push_back(std::string(what) + place);
   for (const std::string& what : wanted) EXPECT_GT(contents.count_of(what), 0) << what;
 }
+
+// Loose tails of static scenes that met bodies farther away than they were looked for, light bodies that stick, yarn
+// that is stiff, yarn that was caught in yarn.
+constexpr std::uint64_t kOnceFailed[] = {16, 18, 192, 196, 268, 307, 313, 336, 370, 392, 429, 474};
+
+class OnceFailed : public ::testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(OnceFailed, HoldsNow) {
+  const CellResult result = run_cell(random_case(GetParam()), {});
+  EXPECT_TRUE(result.outcome == Outcome::passed || result.outcome == Outcome::cut) << result.why;
+}
+
+INSTANTIATE_TEST_SUITE_P(RandomScenes, OnceFailed, ::testing::ValuesIn(kOnceFailed),
+                         [](const auto& test) { return std::to_string(test.param); });
 
 TEST(RandomScenes, BreakNoInvariant) {
   const RandomTally tally = run_random(1, kRuns, 1, {});

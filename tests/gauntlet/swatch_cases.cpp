@@ -14,6 +14,7 @@ GauntletCase stretched_and_released() {
   item.limits.isolated = true;
   item.about_motion = true;
   item.limits.max_ridge_entries = 5;
+  item.limits.max_crushed_entries = 300;  // where it is a thousand times softer
   return item;
 }
 
@@ -31,6 +32,7 @@ GauntletCase pressed(const char* name, const char* about, double way) {
   item.scene.duration_s = 0.4;
   item.limits.max_stretch = 4.0;
   item.limits.max_ridge_entries = 50;
+  item.limits.max_crushed_entries = 10;
   return item;
 }
 
@@ -53,6 +55,7 @@ GauntletCase twisted() {
   item.limits.max_newton = 9000;
   item.limits.max_ridge_entries = 150;
   item.limits.max_fade_entries = 100;
+  item.limits.max_crushed_entries = 10;
   return item;
 }
 
@@ -74,6 +77,7 @@ GauntletCase noise() {
   item.limits.isolated = true;
   item.limits.max_ridge_entries = 20;
   item.limits.max_fade_entries = 80;
+  item.limits.max_crushed_entries = 100;
   return item;
 }
 
@@ -83,6 +87,7 @@ GauntletCase inside_out() {
   item.change =
       placed([middle](const Vec3& x) { return x.y() <= middle ? x : Vec3(x.x(), 2.0 * middle - x.y(), x.z() + 6e-3); });
   item.limits.max_stretch = 12.0;
+  item.limits.max_crushed_entries = 100;
   item.limits.isolated = true;
   return item;
 }
