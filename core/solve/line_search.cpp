@@ -11,7 +11,7 @@ constexpr double kArmijo = 1e-4;
 constexpr int kMaxBacktracks = 40;
 constexpr int kWatchedSteps = 4;
 constexpr int kTrusted = 3;     // steps whose decrease is below round-off, in a row, before slopes are asked
-constexpr int kHalved = 2;      // trials given up in one solve, likewise
+constexpr int kHalved = 4;      // trials given up in one solve, likewise
 constexpr double kLevel = 0.1;  // of a slope, that is as good as none
 constexpr int kMaxCuts = 20;
 
