@@ -22,6 +22,8 @@ constexpr std::array kTried{"sliding",          "wrapping", "bending",  "inertia
 /// Newton iterations that a trial may always take; beyond, and beyond what it could save, it is given up.
 constexpr double kLeastEffort = 100.0;
 
+constexpr const char* kChoosing = "choosing_effects";  // phase of a run's wall time
+
 }  // namespace
 
 Scene with_candidates(const Scene& scene) {
@@ -238,6 +240,7 @@ RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
     progress.num_frames = planned_frames(scene.duration_s, scene.frames_per_s);
     progress.wall_s = progress.before_s = wall();
     if (const auto* numerics = std::get_if<BudgetNumerics>(&scene.numerics)) progress.budget_s = numerics->budget_s;
+    progress.wall_by_phase_s[kChoosing] = progress.wall_s;
     progress.doing = what;
     if (hooks.on_progress) hooks.on_progress(progress);
   });
@@ -246,7 +249,7 @@ RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
     summary.scene = scene.name;
     summary.status = RunStatus::cancelled;
     summary.threads = threads;
-    summary.wall_s = wall();
+    summary.wall_s = summary.wall_by_phase_s[kChoosing] = wall();
     return summary;
   }
   const double before_s = wall();
@@ -255,10 +258,12 @@ RunSummary run_scene(const Scene& scene, int threads, const RunHooks& hooks) {
   if (hooks.on_progress) {
     later.on_progress = [&](Progress progress) {
       progress.before_s = std::max(progress.before_s, before_s);
+      progress.wall_by_phase_s[kChoosing] = before_s;
       hooks.on_progress(progress);
     };
   }
   summary = run(chosen.scene, threads, later);
+  summary.wall_by_phase_s[kChoosing] = before_s;
   summary.effect_choice = std::move(chosen.choice);
   return summary;
 }

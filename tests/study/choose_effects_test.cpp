@@ -125,9 +125,12 @@ TEST(ChooseEffects, TheRunReportsTheChoice) {
   EXPECT_EQ(summary.effects, (std::vector<std::string>{"inertia", "gravity", "stretch", "bending", "bending_jamming",
                                                        "self_collision"}));
   EXPECT_GT(summary.effect_choice->wall_s, 0.0);
+  EXPECT_GT(summary.wall_by_phase_s.at("choosing_effects"), 0.0);
   Scene listed = hanging_yarn();
   listed.duration_s = 0.05;
-  EXPECT_FALSE(run_scene(listed, 1, {}).effect_choice);
+  const RunSummary as_listed = run_scene(listed, 1, {});
+  EXPECT_FALSE(as_listed.effect_choice);
+  EXPECT_FALSE(as_listed.wall_by_phase_s.contains("choosing_effects"));
 }
 
 TEST(ChooseEffects, TellsWhatItTriesBeforeTheRun) {
