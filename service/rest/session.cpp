@@ -163,15 +163,17 @@ bool Session::predict(Response response) {
     self->respond_later(std::move(response));
   };
   const auto wanted = [self = shared_from_this()] { return !self->gone_; };
-  if (!shared_->predictor.post(response.prediction->scene, wanted, answer)) return false;
+  gone_ = false;
   asio::post(shared_->io, [self = shared_from_this()] { self->watch_for_end(); });
-  return true;
+  return shared_->predictor.post(response.prediction->scene, wanted, answer);
 }
 
-// Something to read that has no bytes is the end.
+// Something to read that has no bytes is the end. A wait that outlasts the answer sees the next request.
 void Session::watch_for_end() {
   if (closed_) return;
+  predicting_ = true;
   socket_.async_wait(asio::ip::tcp::socket::wait_read, [self = shared_from_this()](const ErrorCode& error) {
+    if (!self->predicting_) return;
     ErrorCode unknown;
     if (error || (self->socket_.available(unknown) == 0 && !self->closed_)) self->gone_ = true;
   });
@@ -186,6 +188,7 @@ void Session::respond_later(Response response) {
 // --- Its answer -----------------------------------------------------------------------------------------------------
 
 void Session::respond(Response response) {
+  predicting_ = false;
   release_upload();
   count(response.status);
   const bool head_only = parser_ && parser_->get().method() == http::verb::head;

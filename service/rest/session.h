@@ -112,7 +112,7 @@ class Session : public std::enable_shared_from_this<Session> {
   std::array<char, 4096> sink_{};  // what nobody wants to know
   int requests_ = 0;
   bool reading_head_ = false, timed_out_ = false, keep_alive_ = false, http_1_0_ = false, uploading_ = false;
-  bool refused_ = false, closed_ = false;
+  bool refused_ = false, closed_ = false, predicting_ = false;
 
   std::atomic<bool> gone_ = false;  // the client, while a prediction is made for it
 

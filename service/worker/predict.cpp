@@ -74,6 +74,7 @@ std::optional<v1::Prediction> predict_scene(const v1::Scene& scene) {
             *message.mutable_as_it_is());
   for (const TolerancePrediction& to : prediction.to_tolerance)
     set_run(to.run, to.tolerance_m, prediction.to_tolerance_basis, *message.add_to_tolerance());
+  message.set_chooses_effects(found->scene.effects.automatic.has_value());
   message.set_run_fails(prediction.run_fails);
   return message;
 }

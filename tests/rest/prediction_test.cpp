@@ -111,6 +111,17 @@ TEST_F(PredictionTest, IsGivenUpAfterAWhile) {
   EXPECT_FALSE(Json::parse(answer.body).contains("prediction"));
 }
 
+TEST_F(PredictionTest, IsInEveryAnswerOfAConnection) {
+  start_rest();
+  HttpConnection connection(http());
+  for (int i = 0; i < 3; ++i) {
+    connection.send_request("POST", "/v1/simJobs", {{"content-type", "application/json"}}, body());
+    EXPECT_TRUE(Json::parse(connection.read_answer().body).contains("prediction")) << i;
+    connection.send_request("GET", "/healthz");
+    EXPECT_EQ(connection.read_answer().status, 200U);
+  }
+}
+
 TEST_F(PredictionTest, IsLeftOutWhereTheWorkerFailsOrTalksNonsense) {
   for (const char* script : {"exit 3\n", "echo nonsense\n", "kill -9 $$\n"}) {
     start_with_worker(script);
