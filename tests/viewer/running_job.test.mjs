@@ -32,7 +32,7 @@ test('it is followed live with progress', async () => {
   await untilFrame(page, 3);
   await untilState(page, 'Running');
   top = await topOfPicture(page);
-  await page.unroute(`**/v1/simJobs/${id}`);
+  await page.unrouteAll({ behavior: 'wait' });
   await untilProgress(page, /of 1000 s · frame \d+ of 100000 · .*(left|time left)/);  // asked for apart from the frames
   assert.equal(await page.getByRole('button', { name: 'Live' }).getAttribute('aria-pressed'), 'true');
 });

@@ -18,7 +18,6 @@ const mostDrafts = 3;
 
 /// The draft makes place for the copy.
 export function withDraft(kept: KeptDrafts, { scene, order }: Draft, copy: JsonObject): KeptDrafts {
-  if (isSame(scene, copy)) return kept;
   const isMereCopy = kept.copy !== undefined && isSame(kept.copy, scene);  // nobody made it
   const older = kept.drafts.filter((draft) => !isSame(draft.scene, scene));
   const drafts = isMereCopy ? kept.drafts : [{ scene, order }, ...older];
