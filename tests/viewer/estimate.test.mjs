@@ -26,6 +26,9 @@ after(async () => {
 });
 
 const line = (page) => page.locator('.estimate > summary');
+/// Where the chart begins, in px from the top of the page: a click must hit the stitch that it is meant for.
+const topOfChart = (page) => page.evaluate(() => document.querySelector('canvas.chart').getBoundingClientRect().top + scrollY);
+let top;
 const prediction = (unknowns) => ({ unknowns, memory_bytes: '40400000', as_it_is: { wall_s: 12.4, steps: '30', basis: 'WHOLE_RUN' } });
 const answer = ({ route }, json) => route.fulfill({ json: { state: 'QUEUED', ...json } });
 
@@ -53,15 +56,18 @@ test('a pause after the last change asks once, and the real answer is shown with
   await askedAll(page);
   assert.deepEqual(asked, []);
   assert.equal(await line(page).isVisible(), false);
+  top = await topOfChart(page);
   await page.clock.runFor(1000);
   await untilAsked(page, 1);
   assert.deepEqual([asked[0].validate_only, asked[0].spec.simulate, asked[0].spec.scene.duration_s], [true, {}, 0.2]);
   await asked[0].route.continue();
   await line(page).getByText(/^722 unknowns · about \d+ MB · about [\d.]+ s$/).waitFor();
+  const scrolled = await page.evaluate(() => scrollY);
   await line(page).click();
   const told = page.locator('.estimate');
   assert.deepEqual(await told.locator('dt').allTextContents(), ['As it is', 'To 1 mm', 'To 0.1 mm', 'To 0.01 mm']);
   await told.getByText(/tried by the server/).waitFor();
+  assert.deepEqual([await topOfChart(page), await page.evaluate(() => scrollY)], [top, scrolled], 'the chart has moved');
   await shoot(page, 'estimate');
   await page.clock.runFor(60_000);
   await askedAll(page);
@@ -73,16 +79,20 @@ test('an answer about a scene that has changed since is left', async () => {
   const { page } = view;
   asked.length = 0;
   await type(page, 'Duration s', '0.5');
-  await line(page).getByText('Estimating …').waitFor();
+  await line(page).getByText(/^722 unknowns .* · estimating anew …$/).waitFor();
+  const told = page.locator('.estimate');
+  assert.deepEqual([await told.getAttribute('aria-busy'), await told.locator('dt').count()], ['true', 4], 'what was told stays until it is told anew');
+  assert.equal(await topOfChart(page), top, 'the chart has moved');
   await page.clock.runFor(2000);
   await untilAsked(page, 1);
   await type(page, 'Duration s', '0.6');
   await answer(asked[0], { prediction: prediction(111) }).catch(() => undefined);  // the page no longer waits for it
   await page.clock.runFor(2000);
   await untilAsked(page, 2);
-  assert.equal(await line(page).textContent(), 'Estimating …');
+  assert.match(await line(page).textContent(), /^722 unknowns .* · estimating anew …$/);
   await answer(asked[1], { prediction: prediction(222) });
-  await line(page).getByText('222 unknowns · about 40 MB · about 12 s').waitFor();
+  await line(page).getByText(/^222 unknowns · about 40 MB · about 12 s$/).waitFor();
+  assert.deepEqual([await told.getAttribute('aria-busy'), await told.locator('dt').count()], ['false', 1]);
 });
 
 test('the answer to Check tells it too; without a prediction, and after a refusal, nothing is there', async () => {
@@ -97,8 +107,14 @@ test('the answer to Check tells it too; without a prediction, and after a refusa
   await check((request) => answer(request, { prediction: { ...prediction(333), run_fails: 'no step is short enough' } }));
   await line(page).getByText('333 unknowns · about 40 MB · fails at its start').waitFor();
   await page.getByText('A run ends at its start: no step is short enough').waitFor();
+  assert.equal(await topOfChart(page), top, 'the chart has moved');
+  await shoot(page, 'estimate-fails');
+  await check((request) => answer(request, { prediction: { ...prediction(355), chooses_effects: true } }));
+  await line(page).getByText('about 12 s and the choice of effects before it').waitFor();
+  await page.getByText(/with and without effects, which can take longer than the run/).waitFor();
   await check((request) => answer(request, {}));
   await page.locator('.estimate').waitFor({ state: 'hidden' });
+  assert.equal(await topOfChart(page), top, 'the chart has moved');
   await check((request) => answer(request, { prediction: prediction(444) }));
   await line(page).getByText('444 unknowns').waitFor();
   await check(({ route }) => route.fulfill({ status: 400, json: { code: 3, message: 'no', details: [] } }));

@@ -257,13 +257,20 @@ test('a copy of the job is edited from its own scene', async () => {
   await isNamed('changed copy');
   assert.equal(await back.count(), 0);
 
-  // A draft that somebody made takes the place of an older one; it can be dismissed.
+  // Of drafts that somebody made the newest is offered first, then the one before it; they can be dismissed.
   await copyOf(job);
   await name.fill('third copy');
   await name.blur();
   await copyOf(job);
+  await page.getByText('Then an older one is offered.').waitFor();
+  await page.reload();
   await back.click();
   await isNamed('third copy');
+  await back.click();
+  await isNamed('changed copy');
+  await told.waitFor({ state: 'hidden' });
+  await name.fill('fourth copy');
+  await name.blur();
   await copyOf(job);
   await page.getByRole('button', { name: 'Dismiss' }).click();
   await told.waitFor({ state: 'hidden' });

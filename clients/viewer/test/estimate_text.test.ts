@@ -22,8 +22,22 @@ describe('estimateText', () => {
     expect(estimateText(prediction).basis).toBe('The time of the scene as it is rests on the first 0.0125 s, tried by the server. '
       + 'Times to a tolerance rest on the first 0.0133 s, tried by the server, run to 10 mm. On the server’s machine, with one thread; most are within a factor of two.');
     const canned = { ...prediction, as_it_is: { ...asItIs, basis: 'CANNED_RUN' as const }, to_tolerance: [{ ...toTolerance[0], basis: 'CANNED_RUN' as const }] };
-    expect(estimateText(canned).basis).toMatch(/^All times rest on a run of a small swatch, as a step/);
+    expect(estimateText(canned).basis).toMatch(/^All times rest on how a small swatch runs on the server, as there was no time to try this scene\. On/);
     expect(estimateText({ ...prediction, as_it_is: { wall_s: 1, basis: 'WHOLE_RUN' }, to_tolerance: [] }).basis).toMatch(/^The time of the scene as it is rests on the whole run/);
+  });
+  it('does not say of a scene that was tried that it was not', () => {
+    const others = { ...prediction, to_tolerance: [{ ...toTolerance[0], basis: 'CANNED_RUN' as const }] };
+    expect(estimateText(others).basis).toMatch(/^The time of the scene as it is rests on the first 0.0125 s, tried by the server\. Times to a tolerance rest on how a small swatch runs on the server, as there was no time to try this scene to a tolerance\./);
+    expect(estimateText({ ...others, run_fails: 'no step is short enough' }).basis).toMatch(/^Times to a tolerance rest on how a small swatch runs on the server\./);
+    expect(estimateText({ unknowns: 1, memory_bytes: '1', run_fails: 'no step is short enough' }).basis).toBe('');
+  });
+  it('tells of a choice of effects, whose time is not known', () => {
+    const { line, choice } = estimateText({ ...prediction, chooses_effects: true });
+    expect(line).toBe('2,412 unknowns · about 40 MB · about 12 s and the choice of effects before it');
+    expect(choice).toMatch(/with and without effects, which can take longer than the run/);
+    expect(estimateText(prediction).choice).toBe('');
+    expect(estimateText({ ...prediction, as_it_is: undefined, chooses_effects: true }).line).toMatch(/MB · the choice of effects before it$/);
+    expect(estimateText({ ...prediction, run_fails: 'no', chooses_effects: true }).line).toMatch(/ · fails at its start$/);
   });
   it('leaves out times that are not known', () => {
     const { line, times, basis } = estimateText({ unknowns: 1, memory_bytes: '2340000000' });

@@ -39,6 +39,7 @@ export interface Prediction {
   as_it_is?: PredictedRun;
   to_tolerance?: PredictedRun[];
   run_fails?: string;
+  chooses_effects?: boolean;
 }
 
 export interface StudyMessage {

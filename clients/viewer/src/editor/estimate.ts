@@ -21,16 +21,25 @@ export interface Estimate {
 /// `simulated`: the text of the scene, where there is one that could be simulated.
 export function estimate(simulated: () => string | undefined): Estimate {
   const state = { asking: new AbortController() };
-  const summary = h('summary', {});
+  const line = h('span', {});
+  const again = h('span', {});
   const body = h('div', {});
-  const element = h('details', { class: 'estimate', hidden: true }, summary, body);
+  const element = h('details', { class: 'estimate unknown' }, h('summary', {}, line, again), body);
+  /// What is shown is about the scene before the last change.
+  const setOld = (old: boolean): void => {
+    element.ariaBusy = String(old);
+    again.textContent = old ? ' · estimating anew …' : '';
+  };
+  /// What is not known leaves its place empty, so that nothing moves.
   const show = (prediction: Prediction | undefined): void => {
-    element.hidden = prediction === undefined;
+    setOld(false);
+    element.classList.toggle('unknown', prediction === undefined);
     if (!prediction) return;
-    const { line, fails, times, basis } = estimateText(prediction);
-    summary.textContent = line;
+    const { fails, choice, times, basis, ...text } = estimateText(prediction);
+    line.textContent = text.line;
+    const notes = [choice, basis].filter((note) => note !== '').map((note) => h('p', { class: 'note' }, note));
     body.replaceChildren(...(fails ? [h('p', { class: 'problem' }, `A run ends at its start: ${fails}`)] : []),
-      h('dl', { class: 'numbers' }, ...times.flatMap(([of, time]) => [h('dt', {}, of), h('dd', {}, time)])), h('p', { class: 'note' }, basis));
+      h('dl', { class: 'numbers' }, ...times.flatMap(([of, time]) => [h('dt', {}, of), h('dd', {}, time)])), ...notes);
   };
   const begin = (): AbortSignal => {
     state.asking.abort();
@@ -48,8 +57,7 @@ export function estimate(simulated: () => string | undefined): Estimate {
   return {
     element,
     changed: () => {
-      if (!element.hidden) summary.textContent = 'Estimating …';
-      body.replaceChildren();
+      setOld(true);
       void ask(begin());
     },
     expect: () => {

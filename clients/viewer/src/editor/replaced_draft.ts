@@ -1,35 +1,33 @@
 // SPDX-License-Identifier: MIT
-// The draft whose place a copy of a job took: offered, over reloads too, until it is brought back or dismissed.
-import type { Order } from '../api/sim_jobs';
+// Drafts whose place copies of jobs took: offered, the newest first and over reloads too, until they are brought back or
+// dismissed.
 import type { JsonObject } from '../scene/field';
-import { isSame } from '../scene/json_path';
 import { button, h } from '../ui/dom';
+import { readDrafts, withDraft, withoutNewest, type Draft, type KeptDrafts } from './kept_drafts';
 
 const key = 'slipstitch.replaced';
 
-export interface Draft {
-  scene: JsonObject;
-  order: Order;
-}
-
-interface Replaced extends Draft {
-  copy: JsonObject;  // what took its place
-}
-
-function stored(): Replaced | undefined {
+function stored(): KeptDrafts {
   try {
-    return (JSON.parse(sessionStorage.getItem(key) ?? 'null') as Replaced | null) ?? undefined;
+    return readDrafts(sessionStorage.getItem(key));
   } catch {
-    return undefined;
+    return { drafts: [] };
   }
 }
 
-function store(replaced: Replaced | undefined): void {
+/// As many as there is room for.
+function store({ drafts, copy }: KeptDrafts): void {
   try {
-    sessionStorage.removeItem(key);  // should the new one be too large
-    if (replaced) sessionStorage.setItem(key, JSON.stringify(replaced));
+    sessionStorage.removeItem(key);
   } catch {
-    // Too large, or storage is forbidden: then it is kept until a reload.
+    return;  // storage is forbidden: then they are kept until a reload
+  }
+  for (let count = drafts.length; count > 0; --count) {
+    try {
+      return sessionStorage.setItem(key, JSON.stringify({ drafts: drafts.slice(0, count), copy }));
+    } catch {
+      // Too large: then without the oldest.
+    }
   }
 }
 
@@ -37,39 +35,38 @@ export interface ReplacedDraft {
   element: HTMLElement;
   /// The draft makes place for the copy.
   replace(draft: Draft, copy: JsonObject): void;
-  /// The scene is another one now; it may be the draft again, by Undo.
+  /// The scene is another one now; it may be a draft again, by Undo.
   changed(scene: JsonObject): void;
 }
 
 export function replacedDraft(bringBack: (draft: Draft) => void): ReplacedDraft {
-  const state = { replaced: stored() };
+  const state = { kept: stored() };
   const element = h('p', { class: 'links replaced', role: 'status', hidden: true });
-  const set = (replaced: Replaced | undefined): void => {
-    state.replaced = replaced;
-    store(replaced);
+  const set = (kept: KeptDrafts): void => {
+    state.kept = kept;
+    store(kept);
     show();
   };
+  const dismiss = (): void => set(withoutNewest(state.kept));
   const restore = (): void => {
-    const { replaced } = state;
-    set(undefined);
-    if (replaced) bringBack(replaced);
+    const [newest] = state.kept.drafts;
+    dismiss();
+    bringBack(newest);
   };
   function show(): void {
-    element.hidden = !state.replaced;
-    element.replaceChildren(...(state.replaced ? ['A copy took the place of the scene that was edited here. ',
-      button('Bring that back', restore, { class: 'small' }), button('Dismiss', () => set(undefined), { class: 'small' })] : []));
+    const { drafts } = state.kept;
+    element.hidden = drafts.length === 0;
+    element.replaceChildren(...(drafts.length > 0 ? ['A copy took the place of the scene that was edited here. ',
+      button('Bring that back', restore, { class: 'small' }), button('Dismiss', dismiss, { class: 'small' }),
+      drafts.length > 1 ? `Then ${drafts.length === 2 ? 'an older one is' : `${drafts.length - 1} older ones are`} offered.` : ''] : []));
   }
   show();
   return {
     element,
-    replace: (draft, copy) => {
-      if (isSame(draft.scene, copy)) return;
-      const { replaced } = state;
-      const kept = replaced && isSame(replaced.copy, draft.scene) ? replaced : draft;  // nobody made a draft that is a mere copy
-      set(isSame(kept.scene, copy) ? undefined : { scene: kept.scene, order: kept.order, copy });
-    },
+    replace: (draft, copy) => set(withDraft(state.kept, draft, copy)),
     changed: (scene) => {
-      if (scene === state.replaced?.scene) set(undefined);
+      const { drafts, copy } = state.kept;
+      if (drafts.some((draft) => draft.scene === scene)) set({ drafts: drafts.filter((draft) => draft.scene !== scene), copy });
     },
   };
 }

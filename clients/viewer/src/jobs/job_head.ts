@@ -4,7 +4,6 @@ import { cancelSimJob, deleteSimJob } from '../api/sim_jobs';
 import { button, h } from '../ui/dom';
 import type { JobModel } from './job_model';
 import { partDone, progressText, stateText, workText } from './job_text';
-import { timeShares, timeSharesView } from './time_shares';
 
 function errorText(model: JobModel): string {
   const error = model.job.value?.error;
@@ -20,7 +19,6 @@ export function jobHead(model: JobModel): HTMLElement {
   const work = h('span', { class: 'job-work' });
   const progress = h('progress', { max: 1, value: 0, 'aria-label': 'Progress' });
   const text = h('span', { class: 'progress-text' });
-  const shares = timeSharesView('Time goes to');
   const trouble = h('p', { class: 'status', role: 'status' });
   const fault = h('p', { class: 'error-box', role: 'alert', hidden: true });
   const say = (error: unknown): void => model.fault.set(error instanceof Error ? error.message : String(error));
@@ -45,7 +43,6 @@ export function jobHead(model: JobModel): HTMLElement {
     cancel.hidden = ended || gone;
     cancel.disabled = job.cancel_requested === true;
     remove.hidden = !ended || gone;
-    shares.show(job.state === 'RUNNING' && !gone ? timeShares(job.progress?.wall_by_phase_s, job.progress?.wall_s) : []);
     showFault();
   };
   /// With the next picture of the screen, as the player does, so that both tell of the same frame.
@@ -77,5 +74,5 @@ export function jobHead(model: JobModel): HTMLElement {
   }
   return h('div', { class: 'job-head' },
     h('div', { class: 'page-head' }, title, state, work, h('span', { class: 'job-id' }, model.id), h('span', { class: 'push' }), again, cancel, remove),
-    h('div', { class: 'progress-row' }, progress, text), shares.element, trouble, fault);
+    h('div', { class: 'progress-row' }, progress, text), trouble, fault);
 }

@@ -76,16 +76,22 @@ function rowsOf(summary: Summary): [string, string][] {
   return rows.filter((row): row is [string, string] => row[1] !== undefined);
 }
 
-/// What the run cost, once it has ended.
+/// Where the time of the run goes, and what it cost once it has ended. Last on the page: it grows, and nothing may move for it.
 export function summaryPanel(model: JobModel): HTMLElement {
   const numbers = h('dl', { class: 'numbers' });
-  const shares = timeSharesView('Time went to');
+  const shares = timeSharesView();
   const element = h('section', { class: 'panel', 'aria-label': 'Run', hidden: true }, h('h2', {}, 'Run'), numbers, shares.element);
   model.job.subscribe((job) => {
-    if (!job?.summary_json) return;
+    if (!job?.summary_json) {
+      const { wall_by_phase_s: byPhase, wall_s: wall } = job?.progress ?? {};
+      const found = timeShares(byPhase, wall);
+      if (found.length === 0) return;
+      element.hidden = false;
+      return shares.show(found, 'Time goes to');
+    }
     element.hidden = false;
     const summary = JSON.parse(job.summary_json) as Summary;
-    shares.show(timeShares(summary.wall_by_phase_s, summary.wall_s));
+    shares.show(timeShares(summary.wall_by_phase_s, summary.wall_s), 'Time went to');
     numbers.replaceChildren(...rowsOf(summary).flatMap(([name, value]) => [h('dt', {}, name), h('dd', {}, value)]));
   });
   return element;

@@ -11,8 +11,9 @@ export interface TimeShare {
 
 type Look = readonly [name: string, light: string, dark: string];
 
-// In the order of a Newton iteration.
+// In the order of a run and of a Newton iteration.
 const phases: Readonly<Record<string, Look>> = {
+  choosing_effects: ['choosing effects', '#4a2511', '#efe3c4'],
   begin_step: ['step set-up', '#8c248a', '#aa4fbb'],
   energy: ['energies', '#e0a100', '#fcbf64'],
   assembly: ['forces and stiffness', '#6088f3', '#75a7f3'],
@@ -59,18 +60,20 @@ function bar(shares: readonly TimeShare[]): HTMLElement {
 export interface TimeSharesView {
   element: HTMLElement;
   /// Hides itself where there are none.
-  show(shares: readonly TimeShare[]): void;
+  show(shares: readonly TimeShare[], title: string): void;
 }
 
-export function timeSharesView(title: string): TimeSharesView {
+export function timeSharesView(): TimeSharesView {
   const place = h('div', {});
-  const element = h('div', { class: 'time-shares', role: 'group', 'aria-label': title, hidden: true }, place);
+  const element = h('div', { class: 'time-shares', role: 'group', hidden: true }, place);
   const state = { drawn: '' };
-  const show = (shares: readonly TimeShare[]): void => {
+  const show = (shares: readonly TimeShare[], title: string): void => {
     element.hidden = shares.length === 0;
+    element.ariaLabel = title;
     const texts = shares.map(({ name, share }) => `${name} ${Math.round(100 * share)} %`);
-    if (texts.join() === state.drawn) return;
-    state.drawn = texts.join();
+    const drawn = [title, ...texts].join();
+    if (drawn === state.drawn) return;
+    state.drawn = drawn;
     place.replaceChildren(bar(shares), h('ul', { class: 'series-legend' }, h('li', { class: 'time-title' }, title),
       ...shares.map((share, index) => h('li', {}, coloured('time-swatch', share), texts[index]))));
   };
