@@ -31,6 +31,8 @@ bool interior(const Topology& topo, const StitchContact& contact) {
          s.wale <= topo.num_wales - kInteriorMargin;
 }
 
+constexpr double kFadedAway = 1e-12;  // what is left of a wrap changes no energy, and its angle means nothing
+
 void count_entry(bool inside, char& before, long& entries) {
   if (inside && !before) ++entries;
   before = inside ? 1 : 0;
@@ -89,8 +91,8 @@ void Monitor::observe_wraps(const Simulation& sim) {
     const Vec<12> x = gather(wraps.coords(k), sim.state().q);
     const double psi = wrap_angle(x.segment<3>(0), x.segment<3>(3), x.segment<3>(6), x.segment<3>(9));
     const auto i = static_cast<std::size_t>(k);
-    const double fade = wrap_fade(x, wraps.wrap(k).L);  // where it is gone psi means nothing
-    count_entry(fade > 0.0 && wrap_in_cap(wrap_excess(psi, wraps.wrap(k).rest)), in_cap_[i], ridge_entries_);
+    const double fade = wrap_fade(x, wraps.wrap(k).L);
+    count_entry(fade > kFadedAway && wrap_in_cap(wrap_excess(psi, wraps.wrap(k).rest)), in_cap_[i], ridge_entries_);
     count_entry(fade < 1.0, faded_[i], fade_entries_);
   }
 }

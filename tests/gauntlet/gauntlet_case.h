@@ -67,5 +67,6 @@ struct CellResult {
 /// Runs one case and looks at every step. Where a step is shorter than the case's own, only as far as kMostSteps of it.
 CellResult run_cell(const GauntletCase& item, const Settings& settings);
 inline constexpr double kMostSteps = 300.0;
+inline constexpr double kStepsToRest = 20.0;  // of a run that must end at rest, at least
 
 }  // namespace slipstitch::gauntlet

@@ -132,6 +132,8 @@ Scene scene_of(const GauntletCase& item, const Settings& settings) {
   numerics.time_step_s *= settings.step_factor;
   scene.frames_per_s = std::min(scene.frames_per_s, 1.0 / numerics.time_step_s);
   if (settings.step_factor < 1.0) scene.duration_s = std::min(scene.duration_s, kMostSteps * numerics.time_step_s);
+  if (std::isfinite(item.limits.rest_speed_m_per_s))
+    scene.duration_s = std::max(scene.duration_s, kStepsToRest * numerics.time_step_s);
   if (settings.quasi_static && !item.about_motion) {
     scene.effects.inertia.reset();
     numerics.max_newton_iterations = 2000;  // no step is so short that its equilibrium is near
